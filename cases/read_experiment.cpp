@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "cases/read_experiment.hpp"
+
+#include "cases/messages.hpp"
+#include "cases/read_powder.hpp"
+#include "cases/rig_table.hpp"
+#include "scaling/errors.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace cases {
+namespace {
+
+Value with_overrides(const Value& experiment, const std::string& key, const Value& shared) {
+    if (!experiment.has(key)) return shared;
+    const Value& own = experiment.at(key);
+    if (own.kind == Value::Kind::object && own.has("surface_energy")) {
+        refuse(own.at("surface_energy"), "must stand in the grain of the case",
+               "model.parameters are one for all experiments");
+    }
+    return shared.kind == Value::Kind::null ? own : overridden(shared, own);
+}
+
+Plate plate_of(const Value& experiment, const Shared& shared, const RigRule& rig,
+               const Experiment& read) {
+    const Value plate = with_overrides(experiment, "plate", shared.plate);
+    if (plate.kind != Value::Kind::null) return read_plate(plate);
+    if (needs_plate(rig, read.conditions)) {
+        throw scaling::InvalidInput(scaling::mistake(
+            experiment.where + ".plate", "nothing", "must be given for the rig " + rig.name,
+            "add \"plate\" to the case or to this experiment"));
+    }
+    return {read.grain.youngs_modulus.value, read.grain.poisson_ratio.value};
+}
+
+std::optional<Recording> recording_of(const Value& experiment, const std::string& key,
+                                      const std::string& folder, const RigRule& rig) {
+    if (!experiment.has(key)) return std::nullopt;
+    const Value& name = experiment.at(key);
+    const std::filesystem::path path = std::filesystem::path(folder) / name.text();
+    if (!std::filesystem::is_regular_file(path)) {
+        refuse(name, "must be a file beside case.json",
+               "no file " + path.string() + "; check its name");
+    }
+    return read_recording(path.string(), rig.name);
+}
+
+std::map<std::string, double> read_noise(const Value& noise, const RigRule& rig) {
+    std::vector<std::string> numbers;
+    for (const ChannelRule& channel : rig.channels) {
+        if (channel.words.empty()) numbers.push_back(channel.name);
+    }
+    check_keys(noise, numbers);
+    std::map<std::string, double> read;
+    for (const auto& [name, value] : noise.members) {
+        const std::vector<std::string>& units = find_channel(rig, name)->units;
+        const bool pure = value.kind == Value::Kind::number || value.written_text.ends_with('%');
+        const bool as_fraction = pure && std::find(units.begin(), units.end(), "1") != units.end();
+        read[name] = checked(value, as_fraction ? "1" : units.front(), Domain::not_negative);
+    }
+    return read;
+}
+
+// A force that is simulated must have what it acts through.
+void check_surroundings(const Value& experiment, const Surroundings& s, const Model& model) {
+    const auto require = [&](const char* effect, bool holds, const char* key) {
+        if (!model.includes(effect) || holds) return;
+        throw scaling::InvalidInput(
+            scaling::mistake(experiment.where + ".surroundings." + key, "nothing above 0",
+                             std::string("must be given with \"") + effect + "\" in physics",
+                             "add it to the surroundings of the case"));
+    };
+    require("gravity", s.gravity.value() > 0.0, "gravity");
+    require("air_drag", s.fluid_density.value() > 0.0, "fluid_density");
+    require("air_drag", s.fluid_viscosity.value() > 0.0, "fluid_viscosity");
+    require("buoyancy", s.fluid_density.value() > 0.0, "fluid_density");
+}
+
+}  // namespace
+
+Experiment read_experiment(const Value& experiment, const Shared& shared, const Model& model) {
+    check_keys(experiment, {"id", "rig", "conditions", "recording", "simulated", "noise", "role",
+                            "grain", "plate", "surroundings"});
+    Experiment read;
+    read.id = experiment.at("id").text();
+    if (read.id.empty() || read.id.find_first_of("/\\") != std::string::npos) {
+        refuse(experiment.at("id"), "must be a name without slashes", "files are named after it");
+    }
+    read.rig = checked_word(experiment.at("rig"), rig_names());
+    const RigRule& rig = rig_rule(read.rig);
+    read.conditions = experiment.at("conditions");
+    check_conditions(rig, read.conditions);
+    read.grain = read_grain(with_overrides(experiment, "grain", shared.grain));
+    read.plate = plate_of(experiment, shared, rig, read);
+    read.surroundings =
+        read_surroundings(with_overrides(experiment, "surroundings", shared.surroundings));
+    check_surroundings(experiment, read.surroundings, model);
+    read.recording = recording_of(experiment, "recording", shared.folder, rig);
+    read.simulated = recording_of(experiment, "simulated", shared.folder, rig);
+    if (experiment.has("noise")) read.noise = read_noise(experiment.at("noise"), rig);
+    if (experiment.has("role"))
+        read.held_out = checked_word(experiment.at("role"), {"fit", "held_out"}) == "held_out";
+    if (read.recording && read.recording->has("angle_of_repose") &&
+        !read.recording->has("estimator") && !read.conditions.has("estimator")) {
+        refuse(experiment.at("recording"), "must say how the angle of repose was taken",
+               "add a column estimator, or the condition \"estimator\"");
+    }
+    return read;
+}
+
+}  // namespace cases

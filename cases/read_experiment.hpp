@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "cases/case.hpp"
+
+#include <string>
+
+namespace cases {
+
+// What experiments share, as written, for them to override.
+struct Shared {
+    Value grain, plate, surroundings;  // plate of kind null where the case has none
+    std::string folder;                // recordings stand relative to it
+};
+
+// One entry of `experiments`, with its recordings. Throws scaling::InvalidInput.
+Experiment read_experiment(const Value& experiment, const Shared&, const Model&);
+
+}  // namespace cases

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include "cases/rig_table.hpp"
+
+#include "cases/messages.hpp"
+#include "scaling/errors.hpp"
+
+namespace cases {
+namespace {
+
+using Words = std::vector<std::string>;
+
+Condition quantity(std::string name, std::string unit, Domain domain, bool required = false) {
+    return {
+        .name = std::move(name), .unit = std::move(unit), .domain = domain, .required = required};
+}
+Condition word(std::string name, Words words, bool required) {
+    return {.name = std::move(name), .required = required, .words = std::move(words)};
+}
+
+RigRule drop() {
+    return {
+        "drop",
+        {quantity("height", "m", Domain::not_negative, true), quantity("speed", "m/s", Domain::any),
+         quantity("horizontal_speed", "m/s", Domain::any), quantity("spin", "rad/s", Domain::any),
+         quantity("release_time", "s", Domain::any)},
+        {{"t", {"s"}}, {"z", {"m"}}, {"x", {"m"}}},
+        {{"t", "z"}}};
+}
+
+RigRule incline() {
+    return {"incline",
+            {quantity("angle", "rad", Domain::steepness, true),
+             quantity("speed", "m/s", Domain::any), quantity("spin", "rad/s", Domain::any)},
+            {{"t", {"s"}}, {"s", {"m"}}, {"spin", {"rad/s"}}},
+            {{"t", "s"}}};
+}
+
+RigRule impact() {
+    return {
+        "impact",
+        {quantity("speed", "m/s", Domain::positive, true), quantity("spin", "rad/s", Domain::any)},
+        {{"angle", {"rad"}},
+         {"rebound_angle", {"rad"}},
+         {"normal_restitution", {"1"}},
+         {"tangential_restitution", {"1"}},
+         {"rebound_spin", {"rad/s"}}},
+        {{"angle", "rebound_angle"},
+         {"angle", "normal_restitution"},
+         {"angle", "tangential_restitution"},
+         {"angle", "rebound_spin"}}};
+}
+
+RigRule pull_off() {
+    return {"pull_off",
+            {word("counterpart", {"plate", "grain"}, true),
+             quantity("preload", "N", Domain::not_negative, true),
+             quantity("speed", "m/s", Domain::positive),
+             quantity("cantilever_stiffness", "N/m", Domain::positive)},
+            {{"separation", {"m"}},
+             {"displacement", {"m"}},
+             {"force", {"N"}},
+             {"branch", {}, {"approach", "retract"}}},
+            {{"separation", "force", "branch"}, {"displacement", "force", "branch"}}};
+}
+
+RigRule pile() {
+    const Words estimators{"flank_20_80", "cone",   "two_h_over_d",
+                           "silhouette",  "volume", "protractor"};
+    Condition grains{
+        .name = "grains", .required = true, .count = true, .words = {"until_it_spills"}};
+    Condition funnel{.name = "funnel",
+                     .members = {quantity("outlet_diameter", "m", Domain::positive, true),
+                                 quantity("top_diameter", "m", Domain::positive, true),
+                                 quantity("height", "m", Domain::positive, true),
+                                 quantity("outlet_height", "m", Domain::positive, true)}};
+    return {"pile",
+            {word("base", {"flat", "flat_with_rim", "glued_grains"}, true),
+             quantity("base_diameter", "m", Domain::positive, true), std::move(grains),
+             quantity("rim_height", "m", Domain::positive),
+             quantity("drop_height", "m", Domain::positive),
+             quantity("feed_diameter", "m", Domain::positive),
+             quantity("feed_rate", "1/s", Domain::positive), std::move(funnel),
+             word("estimator", estimators, false)},
+            {{"azimuth", {"rad"}},
+             {"r", {"m"}},
+             {"z", {"m"}},
+             {"t", {"s"}},
+             {"angle_of_repose", {"rad"}},
+             {"estimator", {}, estimators}},
+            {{"azimuth", "r", "z"}, {"angle_of_repose"}}};
+}
+
+RigRule discharge() {
+    return {"discharge",
+            {word("silo_shape", {"cylinder", "box"}, true),
+             quantity("silo_diameter", "m", Domain::positive),
+             quantity("width", "m", Domain::positive), quantity("depth", "m", Domain::positive),
+             quantity("outlet_diameter", "m", Domain::positive),
+             quantity("outlet_width", "m", Domain::positive),
+             quantity("outlet_depth", "m", Domain::positive),
+             Condition{.name = "grains", .count = true},
+             quantity("fill_height", "m", Domain::positive)},
+            {{"t", {"s"}}, {"m", {"kg", "1"}}},
+            {{"t", "m"}}};
+}
+
+RigRule column() {
+    Condition lift = quantity("lift_speed", "m/s", Domain::positive);
+    lift.words = {"instant"};
+    return {"column",
+            {quantity("column_radius", "m", Domain::positive, true),
+             quantity("column_height", "m", Domain::positive, true), std::move(lift)},
+            {{"t", {"s"}}, {"r", {"m"}}, {"z", {"m"}}},
+            {{"t", "r", "z"}}};
+}
+
+RigRule drum() {
+    return {"drum",
+            {quantity("drum_diameter", "m", Domain::positive, true),
+             quantity("drum_length", "m", Domain::positive, true),
+             quantity("rotation_speed", "rad/s", Domain::any, true),
+             quantity("fill_fraction", "1", Domain::unit_interval, true)},
+            {{"t", {"s"}}, {"angle", {"rad"}}, {"depth", {"m"}}, {"velocity", {"m/s"}}},
+            {{"t", "angle"}, {"depth", "velocity"}}};
+}
+
+void check_condition(const Condition& rule, const Value& value) {
+    if (!rule.members.empty()) {
+        Words names;
+        for (const Condition& member : rule.members) names.push_back(member.name);
+        check_keys(value, names);
+        for (const Condition& member : rule.members) {
+            if (member.required || value.has(member.name))
+                check_condition(member, value.at(member.name));
+        }
+    } else if (rule.count && value.kind == Value::Kind::number) {
+        value.count();
+    } else if (!rule.unit.empty() &&
+               (rule.words.empty() || nearest(value.written_text, rule.words).empty())) {
+        checked_pair(value, rule.unit, rule.domain);
+    } else if (rule.count && rule.words.empty()) {
+        value.count();
+    } else {
+        checked_word(value, rule.words);
+    }
+}
+
+// `key` must not be there; `rule` says why.
+void forbid(const Value& conditions, const std::string& key, const std::string& rule) {
+    if (conditions.has(key)) refuse(conditions.at(key), rule, "remove \"" + key + "\"");
+}
+
+// Exactly one of the two.
+void one_of_two(const Value& conditions, const std::string& first, const std::string& second) {
+    if (!conditions.has(first) && !conditions.has(second)) {
+        refuse(conditions, "must hold " + first + " or " + second, "add one of them");
+    }
+    if (conditions.has(first)) forbid(conditions, second, "must not stand beside " + first);
+}
+
+void check_pile(const Value& conditions) {
+    if (conditions.at("base").text() != "flat_with_rim") {
+        forbid(conditions, "rim_height", "must belong to the base flat_with_rim");
+    }
+    if (!conditions.has("funnel")) return;
+    forbid(conditions, "feed_diameter", "must not stand beside a funnel");
+    forbid(conditions, "drop_height", "must not stand beside a funnel");
+    const Value& funnel = conditions.at("funnel");
+    if (funnel.at("outlet_diameter").quantity<scaling::Length>() >
+        funnel.at("top_diameter").quantity<scaling::Length>()) {
+        refuse(funnel.at("outlet_diameter"), "must not be wider than top_diameter",
+               "exchange the two");
+    }
+}
+
+void check_discharge(const Value& conditions) {
+    const bool box = conditions.at("silo_shape").text() == "box";
+    if (box) {
+        forbid(conditions, "silo_diameter", "must belong to a cylinder");
+        conditions.at("width");
+        conditions.at("depth");
+    } else {
+        forbid(conditions, "width", "must belong to a box");
+        forbid(conditions, "depth", "must belong to a box");
+        conditions.at("silo_diameter");
+    }
+    one_of_two(conditions, "outlet_diameter", "outlet_width");
+    if (!conditions.has("outlet_width"))
+        forbid(conditions, "outlet_depth", "must stand beside outlet_width");
+    one_of_two(conditions, "grains", "fill_height");
+}
+
+}  // namespace
+
+const std::vector<RigRule>& rig_rules() {
+    static const std::vector<RigRule> table{drop(), incline(),   impact(), pull_off(),
+                                            pile(), discharge(), column(), drum()};
+    return table;
+}
+
+std::vector<std::string> rig_names() {
+    std::vector<std::string> names;
+    for (const RigRule& rule : rig_rules()) names.push_back(rule.name);
+    return names;
+}
+
+const RigRule& rig_rule(const std::string& name) {
+    for (const RigRule& rule : rig_rules()) {
+        if (rule.name == name) return rule;
+    }
+    throw scaling::InvalidParameter(scaling::mistake("rig", in_quotes(name), "must be a known rig",
+                                                     suggestion(name, rig_names())));
+}
+
+const ChannelRule* find_channel(const RigRule& rig, const std::string& name) {
+    for (const ChannelRule& channel : rig.channels) {
+        if (channel.name == name) return &channel;
+    }
+    return nullptr;
+}
+
+std::vector<std::string> channel_names(const RigRule& rig) {
+    std::vector<std::string> names;
+    for (const ChannelRule& channel : rig.channels) names.push_back(channel.name);
+    return names;
+}
+
+void check_conditions(const RigRule& rig, const Value& conditions) {
+    Condition all{.name = "conditions", .members = rig.conditions};
+    check_condition(all, conditions);
+    if (rig.name == "pile") check_pile(conditions);
+    if (rig.name == "discharge") check_discharge(conditions);
+}
+
+bool needs_plate(const RigRule& rig, const Value& conditions) {
+    if (rig.name == "pull_off") return conditions.at("counterpart").text() == "plate";
+    if (rig.name == "pile")
+        return conditions.at("base").text() != "glued_grains" || conditions.has("funnel");
+    return true;
+}
+
+}  // namespace cases

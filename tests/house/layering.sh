@@ -1,0 +1,30 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Who may include whom: a room sees those to its left, never its right, and rooms in one place never each other.
+# Also: JSON is seen by cases, reports and app alone; contact and dem_min see neither JSON nor GSL nor Eigen.
+set -eu
+root=${1:-.}
+places="scaling contact,cases dem_min rigs engines,statistics calibrate,diagnose,verify reports app"
+faults=0
+fault() { echo "$1"; faults=1; }
+allowed=""
+for place in $places; do
+    for room in ${place//,/ }; do
+        [ -d "$root/$room" ] || continue
+        for include in $(grep -rhoE '^#include "[a-z_]+/' "$root/$room" | cut -d'"' -f2 | tr -d / | sort -u); do
+            case " $allowed $room " in
+                *" $include "*) ;;
+                *) fault "$room includes $include, which is not to its left: $(grep -rlE "^#include \"$include/" "$root/$room" | tr '\n' ' ')" ;;
+            esac
+        done
+        case $room in
+            cases | reports | app) ;;
+            *) ! grep -rnE '^#include <nlohmann' "$root/$room" || fault "$room includes JSON" ;;
+        esac
+        case $room in
+            contact | dem_min) ! grep -rnE '^#include <(gsl|Eigen)' "$root/$room" || fault "$room includes GSL or Eigen" ;;
+        esac
+    done
+    allowed="$allowed ${place//,/ }"
+done
+exit $faults
