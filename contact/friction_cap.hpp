@@ -23,10 +23,9 @@ inline double repulsive_force(double e_star, double r_star, double contact_radiu
 inline double cap_force(FrictionCap cap, double elastic, double damping, double pull_off,
                         double repulsive) {
     const double held = elastic + 2.0 * pull_off;
-    const double total = held + damping;
-    const double chosen = cap == FrictionCap::elastic_plus_two_pull_off ? held
-                          : cap == FrictionCap::total_plus_two_pull_off ? total
-                                                                        : repulsive;
+    const double damped = cap == FrictionCap::total_plus_two_pull_off ? 1.0 : 0.0;
+    const double peeled = cap == FrictionCap::repulsive_part ? 1.0 : 0.0;
+    const double chosen = (1.0 - peeled) * (held + damped * damping) + peeled * repulsive;
     return chosen > 0.0 ? chosen : 0.0;
 }
 

@@ -10,6 +10,7 @@
 #include "contact/rolling_epsd.hpp"
 #include "contact/rolling_rvd.hpp"
 #include "contact/rolling_sds.hpp"
+#include "contact/twisting_marshall2009.hpp"
 #include "scaling/errors.hpp"
 
 #include <fmt/format.h>
@@ -101,6 +102,11 @@ Mindlin Mindlin::from(scaling::Pressure g_star, double sliding_friction) {
 
 Coulomb Coulomb::from(double sliding_friction) {
     return {.sliding_friction = friction(sliding_friction, "Coulomb.sliding_friction")};
+}
+
+TwistingMarshall2009 TwistingMarshall2009::from(scaling::Pressure g_star, double sliding_friction) {
+    return {.g_star = positive(g_star.value(), "TwistingMarshall2009.g_star", "Pa", "1/G* = sum 2 (2 - nu)(1 + nu)/E"),
+            .sliding_friction = friction(sliding_friction, "TwistingMarshall2009.sliding_friction")};
 }
 
 RollingEpsd RollingEpsd::from(double rolling_friction, double damping_ratio) {

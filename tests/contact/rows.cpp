@@ -11,6 +11,7 @@
 #include "contact/rolling_epsd.hpp"
 #include "contact/rolling_rvd.hpp"
 #include "contact/rolling_sds.hpp"
+#include "contact/twisting_marshall2009.hpp"
 
 #include <limits>
 
@@ -292,9 +293,42 @@ Row rvd() {
             }};
 }
 
+Row twisting() {
+    const auto state = [](double cap_force, double contact_radius) {
+        return State{{{"g_star", pascal, 9e8},
+                      {"sliding_friction", one, 0.6},
+                      {"angle", one, 2e-3},
+                      {"previous_radius", metre, 1.1e-6},
+                      {"contact_radius", metre, contact_radius},
+                      {"spin", per_second, 300.0},
+                      {"cap_force", newton, cap_force},
+                      {"damping_factor", one, 0.5},
+                      {"m_star", kilogram, 2e-9},
+                      {"dt", second, 1e-7}}};
+    };
+    return {.law = "TwistingMarshall2009",
+            .states = {state(1.0, 1.2e-6), state(1e-6, 1.0e-6)},  // sticks as it grows; is mobilised
+            .evaluate = [](const State& x) {
+                const contact::TwistingMarshall2009 law{x("g_star"), x("sliding_friction")};
+                const contact::TwistingState r = law.step({.angle = x("angle"),
+                                                           .previous_radius = x("previous_radius"),
+                                                           .contact_radius = x("contact_radius"),
+                                                           .spin = x("spin"),
+                                                           .cap_force = x("cap_force"),
+                                                           .damping_factor = x("damping_factor"),
+                                                           .m_star = x("m_star"),
+                                                           .dt = x("dt")});
+                return Quantities{{"torque_on_j", joule, r.torque_on_j},
+                                  {"angle", one, r.angle},
+                                  {"stored", joule, r.stored},
+                                  {"dissipated", joule, r.dissipated}};
+            }};
+}
+
 }  // namespace
 
 std::vector<Row> all_laws() {
     return {hertz(),   jkr(),  damping(), friction_cap(),  mindlin(),
-            coulomb(), epsd(), sds(),     edem_standard(), rvd()};
+            coulomb(), epsd(), sds(),     edem_standard(), rvd(),
+            twisting()};
 }

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "app/exit_code.hpp"
+#include "app/scale.hpp"
+#include "app/simulate.hpp"
+#include "app/verify.hpp"
+#include "app/version.hpp"
+#include "scaling/errors.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace {
+
+// As typed, with quotes where the shell needs them.
+std::string command_line(int argc, char** argv) {
+    std::string line = "similitude";
+    for (int k = 1; k < argc; ++k) {
+        const std::string word = argv[k];
+        const bool plain =
+            !word.empty() && word.find_first_of(" \t'\"$^*()<>|&;`\\") == std::string::npos;
+        line += plain ? " " + word : " \"" + word + "\"";
+    }
+    return line;
+}
+
+std::string one_line(std::string text) {
+    for (char& c : text)
+        if (c == '\n') c = ' ';
+    return text;
+}
+
+int complain(const std::string& what, int code) {
+    fmt::print(stderr, "similitude: {}\n", one_line(what));
+    return code;
+}
+
+// Help and version are no mistakes; anything else that CLI11 throws is the user's.
+int explain(const CLI::App& app, const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return app.exit(error);
+    std::string verb;
+    for (const CLI::App* sub : app.get_subcommands()) verb = " " + sub->get_name();
+    return complain(fmt::format("{} (see similitude{} --help)", error.what(), verb),
+                    app::bad_input);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App cli{
+        "Scale factors, adhesion and similarity checks for simulations of cohesive powders",
+        "similitude"};
+    cli.set_version_flag("--version", fmt::format("similitude {} ({})", app::version, app::git));
+    cli.require_subcommand(1);
+    const std::string command = command_line(argc, argv);
+    const std::vector<app::Verb> verbs = {app::scale_verb(cli, command),
+                                          app::simulate_verb(cli, command),
+                                          app::verify_verb(cli, command)};
+    try {
+        cli.parse(argc, argv);
+        for (const app::Verb& verb : verbs)
+            if (verb.app->parsed()) return verb.run();
+    } catch (const CLI::ParseError& error) {
+        return explain(cli, error);
+    } catch (const scaling::InvalidInput& error) {
+        return complain(error.what(), app::bad_input);
+    } catch (const scaling::InvalidParameter& error) {
+        return complain(error.what(), app::bad_input);
+    } catch (const std::exception& error) {
+        return complain(error.what(), app::internal_fault);
+    }
+    return app::internal_fault;
+}

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "app/simulate.hpp"
+
+#include "app/exit_code.hpp"
+#include "app/experiment.hpp"
+#include "app/interrupt.hpp"
+#include "app/pile_task.hpp"
+#include "cases/messages.hpp"
+#include "cases/read_case.hpp"
+#include "reports/text.hpp"
+#include "scaling/errors.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+#include <memory>
+
+namespace app {
+
+namespace {
+
+using cases::Case;
+using cases::Experiment;
+using scaling::InvalidInput;
+using scaling::mistake;
+
+struct SimulateOptions {
+    CommonOptions common;
+    std::string path, experiment, out = "out";
+    bool yes = false;
+};
+
+constexpr const char* examples = R"(Examples:
+  similitude simulate my-powder --out runs/seed-3 --seed 3 --report runs/seed-3/pile.html
+      all piles and drops of the case in the folder my-powder
+  similitude simulate my-powder --out runs/seed-3 --seed 3 --resume
+      go on after an interrupt (Ctrl-C writes a checkpoint))";
+
+std::vector<const Experiment*> chosen(const Case& c, const std::string& id) {
+    std::vector<const Experiment*> all;
+    std::vector<std::string> ids;
+    for (const Experiment& e : c.experiments) {
+        ids.push_back(e.id);
+        if (id.empty() ? can_simulate(e) : e.id == id) all.push_back(&e);
+    }
+    if (all.empty() && !id.empty())
+        throw InvalidInput(
+            mistake("--experiment", cases::in_quotes(id), "must be one of the case's experiments",
+                    ids.empty() ? "this case has none" : cases::suggestion(id, ids)));
+    if (all.empty())
+        throw InvalidInput(mistake(c.path + ": experiments", "no pile and no drop", "must hold one",
+                                   "no other rig can be simulated yet"));
+    return all;
+}
+
+reports::Json json_of(const Case& c, const SimulateOptions& o,
+                      const std::vector<ExperimentRun>& runs, const reports::Provenance& who) {
+    reports::Json list = reports::Json::array();
+    for (const ExperimentRun& run : runs)
+        list.push_back({{"experiment", run.id},
+                        {"rig", run.rig},
+                        {"wall_time", run.seconds},
+                        {"finished", run.section.has_value()},
+                        {"result", run.result}});
+    const reports::Json input = {
+        {"path", c.path}, {"fnv1a64", fmt::format("{:016x}", fingerprint_of(bytes_of(c.path)))}};
+    return {{"format", "similitude-run/1"},
+            {"tool", reports::to_json(who)},
+            {"case", c.path},
+            {"title", c.title},
+            {"inputs", reports::Json::array({input})},
+            {"seed", o.common.seed},
+            {"units", "SI"},
+            {"runs", std::move(list)}};
+}
+
+std::string text_of(const ExperimentRun& run) {
+    if (!run.section)
+        return fmt::format("{}: interrupted; the same command with --resume goes on\n", run.id);
+    const reports::RunSection& section = *run.section;
+    std::string text = fmt::format("{}: {}\n", run.id, section.verdict.headline);
+    text += "  " + reports::wrapped(section.verdict.why, 98, 2) + "\n";
+    for (const std::string& note : section.notes)
+        text += "  " + reports::wrapped(note, 98, 2) + "\n";
+    if (section.quantities.empty()) return text;
+    std::vector<bool> right(section.quantities.front().size(), true);
+    right.front() = false;
+    return text + reports::columns(section.quantities, right);
+}
+
+reports::Page page_of(const Case& c, const std::vector<ExperimentRun>& runs,
+                      const reports::Provenance& who) {
+    reports::Page page{
+        .title = c.title,
+        .source = c.source,
+        .verdict = {reports::Answer::cannot_tell, "Interrupted before anything was finished",
+                    "run the command again with --resume"},
+        .provenance = who};
+    for (const ExperimentRun& run : runs)
+        if (run.section) page.runs.push_back(*run.section);
+    if (!page.runs.empty()) page.verdict = page.runs.front().verdict;
+    if (page.runs.size() > 1)
+        page.verdict.headline = page.runs.front().name + ": " + page.verdict.headline;
+    page.limits = {
+        "One heap is one draw from chance: its angle scatters from seed to seed by a degree or "
+        "more. Run several seeds before two "
+        "angles are compared.",
+        "The spread over sectors is that within one heap; it is no uncertainty of the angle of "
+        "repose."};
+    return page;
+}
+
+int run(const SimulateOptions& o, const std::string& command) {
+    const Case c = cases::read_case(o.path);
+    std::vector<std::function<ExperimentRun()>> todo;
+    for (const Experiment* e : chosen(c, o.experiment))
+        todo.push_back(prepared(c, *e, o.common, {o.out, o.yes}));
+    std::filesystem::create_directories(o.out);
+    watch_interrupts();
+    std::vector<ExperimentRun> runs;
+    bool whole = true, decided = true;
+    for (const auto& next : todo) {
+        whole = whole && !interrupt_flag();
+        if (!whole) break;
+        runs.push_back(next());
+        whole = runs.back().section.has_value();
+        decided =
+            decided && whole && runs.back().section->verdict.answer != reports::Answer::cannot_tell;
+        print(o.common, text_of(runs.back()));
+    }
+    reports::Provenance who = provenance(command, c.path);
+    who.seeds = {o.common.seed};
+    who.threads = threads_of(o.common);
+    const reports::Json json = json_of(c, o, runs, who);
+    write_file((std::filesystem::path(o.out) / "run.json").string(), reports::text_of(json));
+    write_results(o.common, json, [&] { return page_of(c, runs, who); });
+    return !whole ? interrupted : decided ? fine : cannot_tell;
+}
+
+}  // namespace
+
+Verb simulate_verb(CLI::App& app, const std::string& command) {
+    const auto options = std::make_shared<SimulateOptions>();
+    CLI::App* verb = app.add_subcommand(
+        "simulate", "run the experiments of a case: channels, grains, a manifest");
+    verb->add_option("CASE", options->path, "case.json or its folder")->required();
+    verb->add_option("--experiment", options->experiment,
+                     "only this one; all piles and drops otherwise")
+        ->type_name("ID");
+    verb->add_option("--out", options->out, "folder for results and checkpoints")
+        ->type_name("DIR")
+        ->capture_default_str();
+    verb->add_flag("--yes", options->yes, "run even where the estimate says more than 12 hours");
+    add_common(*verb, options->common);
+    verb->footer(examples);
+    return {verb, [options, command] { return run(*options, command); }};
+}
+
+}  // namespace app

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "app/verify.hpp"
+
+#include "app/exit_code.hpp"
+#include "app/interrupt.hpp"
+#include "app/machine_speed.hpp"
+#include "app/progress.hpp"
+#include "app/scale_input.hpp"
+#include "cases/read_case.hpp"
+#include "reports/checks.hpp"
+#include "verify/exact_answers.hpp"
+#include "verify/similarity.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+
+namespace app {
+
+namespace {
+
+struct VerifyOptions {
+    CommonOptions common;
+    std::string path = "data/zirconia/case.json", out = "out";
+    bool small = false, full = false, exact_only = false;
+};
+
+constexpr const char* examples = R"(Examples:
+  similitude verify data/zirconia/case.json --report out/zirconia.html
+      exact answers, the same bits after rescaling, scaled heaps against reference heaps
+  similitude verify --exact --json -
+      only the exact answers, in a few seconds)";
+
+verify::Campaign campaign_of(const VerifyOptions& o, Progress& progress) {
+    const std::filesystem::path remembered = std::filesystem::path(o.out) / "similitude-heaps";
+    if (!o.common.resume) std::filesystem::remove_all(remembered);
+    verify::Campaign campaign;
+    campaign.threads = threads_of(o.common);
+    campaign.remembered_in = remembered;
+    campaign.stop = &interrupt_flag();
+    campaign.progress = [&progress](double done, double of, const std::string& ended) {
+        progress.show(done, of, ended.empty() ? "heaps" : "heaps, last finished: " + ended);
+    };
+    return campaign;
+}
+
+verify::Extent extent_of(const VerifyOptions& o) {
+    return o.small  ? verify::Extent::small
+           : o.full ? verify::Extent::full
+                    : verify::Extent::standard;
+}
+
+// The study that belongs to the heaps, with the case's own scheme beside it.
+void add_scaling(reports::Page& page, const cases::Case& c, int threads) {
+    const double speed = measured_speed(threads);
+    ScaleOverrides heaps;
+    heaps.scheme = "kept_gravity";
+    page.study = study_of(c, heaps, speed);
+    if (c.scaling && c.scaling->scheme != heaps.scheme) page.beside = study_of(c, {}, speed);
+}
+
+reports::Page page_of(const std::optional<cases::Case>& c, const reports::Verification& v,
+                      const reports::Provenance& who, int threads) {
+    reports::Page page{.title = c && !c->title.empty() ? c->title : "Exact answers",
+                       .source = c ? c->source : "",
+                       .verdict = reports::verdict_of(v),
+                       .verification = v,
+                       .limits = reports::limits_of(v),
+                       .provenance = who};
+    if (c) add_scaling(page, *c, threads);
+    return page;
+}
+
+reports::Provenance provenance_of(const VerifyOptions& o, const std::string& command,
+                                  const reports::Verification& v) {
+    reports::Provenance who = provenance(command, o.exact_only ? "" : o.path);
+    who.threads = threads_of(o.common);
+    if (!v.similarity) return who;
+    for (const verify::Comparison& c : v.similarity->comparisons)
+        for (const verify::Side* side : {&c.reference, &c.scaled})
+            for (const verify::PileSample& s : side->samples)
+                if (std::find(who.seeds.begin(), who.seeds.end(), s.seed) == who.seeds.end())
+                    who.seeds.push_back(s.seed);
+    return who;
+}
+
+int exit_code_of(reports::Answer answer) {
+    switch (answer) {
+        case reports::Answer::yes:
+            return fine;
+        case reports::Answer::no:
+            return answer_is_no;
+        case reports::Answer::cannot_tell:
+            return cannot_tell;
+        case reports::Answer::outside_validity:
+            return outside_validity;
+    }
+    return internal_fault;
+}
+
+int run(const VerifyOptions& o, const std::string& command) {
+    std::optional<cases::Case> c;
+    if (!o.exact_only) c = cases::read_case(o.path);
+    watch_interrupts();
+    reports::Verification v{verify::exact_answers(), std::nullopt};
+    if (c) {
+        Progress progress(!o.common.quiet);
+        try {
+            v.similarity =
+                verify::similarity(*c, extent_of(o), o.common.seed, campaign_of(o, progress));
+        } catch (const verify::Interrupted&) {
+            fmt::print(stderr, "similitude: interrupted; the same command with --resume goes on\n");
+            return interrupted;
+        }
+    }
+    const reports::Provenance who = provenance_of(o, command, v);
+    reports::Json json = {{"format", "similitude-verification/1"}, {"tool", reports::to_json(who)}};
+    json.update(reports::to_json(v));
+    print(o.common, (c && !c->title.empty() ? c->title + "\n" : "") + reports::text_of(v));
+    write_results(o.common, json, [&] { return page_of(c, v, who, threads_of(o.common)); });
+    return exit_code_of(reports::verdict_of(v).answer);
+}
+
+}  // namespace
+
+Verb verify_verb(CLI::App& app, const std::string& command) {
+    const auto options = std::make_shared<VerifyOptions>();
+    CLI::App* verb =
+        app.add_subcommand("verify", "exact answers, and scaled heaps against reference heaps");
+    verb->add_option("CASE", options->path, "case.json or its folder")->capture_default_str();
+    auto* small = verb->add_flag("--small", options->small,
+                                 "3 seeds a side: intervals are shown, equivalence is not claimed");
+    auto* full =
+        verb->add_flag("--full", options->full, "every scheme, invariant, control and seed: hours");
+    auto* exact = verb->add_flag("--exact", options->exact_only, "no heaps");
+    small->excludes(full)->excludes(exact);
+    full->excludes(exact);
+    verb->add_option("--out", options->out, "folder in which finished heaps are remembered")
+        ->type_name("DIR")
+        ->capture_default_str();
+    add_common(*verb, options->common);
+    verb->footer(examples);
+    return {verb, [options, command] { return run(*options, command); }};
+}
+
+}  // namespace app

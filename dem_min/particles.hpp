@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Grains as a structure of arrays. Shape of every array: [count()]. SI doubles.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "contact/vec3.hpp"
+
+namespace dem_min {
+
+using contact::Vec3;
+
+struct Grain {
+    Vec3 position;       // m
+    Vec3 velocity;       // m/s
+    Vec3 spin;           // rad/s
+    double radius;       // m
+    double density;      // kg/m^3
+    bool fixed = false;  // glued: never moves
+};
+
+struct Particles {
+    std::vector<double> x, y, z;     // m
+    std::vector<double> vx, vy, vz;  // m/s; half a step behind x while forces are evaluated
+    std::vector<double> wx, wy, wz;  // rad/s, likewise
+    std::vector<double> fx, fy, fz;  // N
+    std::vector<double> tx, ty, tz;  // N m
+    std::vector<double> radius, mass;
+    std::vector<double> inverse_mass, inverse_inertia;  // 0 for a fixed grain
+    std::vector<std::int64_t> id;                       // order of birth, from 0; never reused
+
+    std::size_t count() const { return x.size(); }
+    bool fixed(std::size_t k) const { return inverse_mass[k] == 0.0; }
+
+    void add(const Grain&, std::int64_t new_id);
+    // Keeps grain k where keep[k] != 0; the order stays. Shape of keep: [count()].
+    void compact(const std::vector<std::uint8_t>& keep);
+
+    Vec3 position(std::size_t k) const { return {x[k], y[k], z[k]}; }
+    Vec3 velocity(std::size_t k) const { return {vx[k], vy[k], vz[k]}; }
+    Vec3 spin(std::size_t k) const { return {wx[k], wy[k], wz[k]}; }
+
+    // Every array of doubles, in one order, for compaction, checkpoints and hashes.
+    std::array<std::vector<double>*, 19> arrays();
+};
+
+}  // namespace dem_min

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "dem_min/walls.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dem_min {
+
+Wall disc(double radius, double z) { return Shell{0.0, z, radius, z}; }
+
+Wall tube(double radius, double z_bottom, double z_top) { return Shell{radius, z_bottom, radius, z_top}; }
+
+Wall cone(double radius_bottom, double z_bottom, double radius_top, double z_top) {
+    return Shell{radius_bottom, z_bottom, radius_top, z_top};
+}
+
+static WallDistance distance(const Plane& plane, Vec3 point) {
+    return {contact::dot(point - plane.point, plane.normal), -plane.normal};
+}
+
+static WallDistance distance(const Shell& shell, Vec3 point) {
+    const double r = std::sqrt(point.x * point.x + point.y * point.y);
+    const double ex = shell.r1 - shell.r0, ez = shell.z1 - shell.z0;
+    const double along = ((r - shell.r0) * ex + (point.z - shell.z0) * ez) / (ex * ex + ez * ez);
+    const double s = std::clamp(along, 0.0, 1.0);
+    const double dr = (shell.r0 + s * ex) - r, dz = (shell.z0 + s * ez) - point.z;
+    const double d = std::sqrt(dr * dr + dz * dz);
+    if (d == 0.0) return {0.0, {0.0, 0.0, -1.0}};  // centre on the shell: any direction is as good
+    // On the axis the radial direction is undefined and dr is 0 wherever it matters (a disc), or any direction is nearest.
+    const double cx = r > 0.0 ? point.x / r : 1.0, cy = r > 0.0 ? point.y / r : 0.0;
+    return {d, {dr / d * cx, dr / d * cy, dz / d}};
+}
+
+WallDistance distance(const Wall& wall, Vec3 point) {
+    return std::visit([&](const auto& shape) { return distance(shape, point); }, wall);
+}
+
+}  // namespace dem_min

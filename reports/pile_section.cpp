@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "reports/numbers.hpp"
+#include "reports/runs.hpp"
+#include "reports/svg.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace reports {
+
+namespace {
+
+// z of the profile at `r`; NaN outside of it.
+double height_at(const HeapProfile& p, double r) {
+    if (p.r.empty() || r < p.r.front() || r > p.r.back()) return std::nan("");
+    const auto above =
+        static_cast<std::size_t>(std::lower_bound(p.r.begin(), p.r.end(), r) - p.r.begin());
+    if (above == 0) return p.z.front();
+    const double share = (r - p.r[above - 1]) / (p.r[above] - p.r[above - 1]);
+    return p.z[above - 1] + share * (p.z[above] - p.z[above - 1]);
+}
+
+struct Envelope {
+    Curve mean;
+    Band band;
+};
+
+Envelope envelope(const HeapGroup& group, int style) {
+    Envelope e;
+    e.mean = {.x = group.profiles.front().r, .y = {}, .style = style, .label = group.label};
+    e.band = {.x = e.mean.x, .low = {}, .high = {}, .style = style, .label = ""};
+    for (const double r : e.mean.x) {
+        double sum = 0.0, low = INFINITY, high = -INFINITY;
+        for (const HeapProfile& p : group.profiles) {
+            const double z = height_at(p, r);
+            sum += z;
+            low = std::min(low, z);
+            high = std::max(high, z);
+        }
+        const bool all = std::isfinite(sum);
+        e.mean.y.push_back(sum / static_cast<double>(group.profiles.size()));
+        e.band.low.push_back(all ? low : std::nan(""));
+        e.band.high.push_back(all ? high : std::nan(""));
+    }
+    return e;
+}
+
+std::string description(const std::vector<HeapGroup>& groups) {
+    std::string text =
+        "Mean height of the heap against the distance from its axis, both in grain diameters.";
+    for (const HeapGroup& g : groups) {
+        if (g.profiles.empty()) continue;
+        double top = 0.0;
+        for (const double z : g.profiles.front().z) top = std::max(top, z);
+        text += fmt::format(" {}: {} high in the first of {} runs.", g.label, number(top),
+                            g.profiles.size());
+    }
+    return text;
+}
+
+HeapProfile profile_of(const rigs::PileRecord& record) {
+    HeapProfile p;
+    for (const double r : record.profile.r) p.r.push_back(r / record.grain_diameter);
+    for (const double z : record.profile.z) p.z.push_back(z / record.grain_diameter);
+    return p;
+}
+
+TextTable angle_table(const rigs::PileRecord& record) {
+    TextTable table = {{"angle of repose by", "degrees", "spread", "sectors or views"}};
+    for (const auto& [estimator, angle] : record.angles) {
+        if (angle)
+            table.push_back({rigs::to_string(estimator), degrees(angle->angle),
+                             degrees(angle->spread), fmt::format("{}", angle->samples)});
+        else
+            table.push_back({rigs::to_string(estimator), "none", "", ""});
+    }
+    return table;
+}
+
+}  // namespace
+
+Figure profile_figure(const std::vector<HeapGroup>& groups, const std::string& id) {
+    Plot plot;
+    plot.title = "Heap profiles";
+    plot.description = description(groups);
+    plot.x = {.label = "distance from the axis, r / d"};
+    plot.y = {.label = "height, z / d"};
+    plot.equal_scale = true;
+    double widest = 0.0, highest = 0.0;
+    for (const HeapGroup& group : groups)
+        for (const HeapProfile& p : group.profiles) {
+            for (const double r : p.r) widest = std::max(widest, r);
+            for (const double z : p.z) highest = std::max(highest, z);
+        }
+    if (widest > 0.0 && highest > 0.0) {
+        plot.x.range = {0.0, 1.02 * widest};
+        plot.y.range = {0.0, 1.06 * highest};
+    }
+    bool bands = false;
+    int style = 0;
+    for (const HeapGroup& group : groups) {
+        if (group.profiles.empty()) continue;
+        Envelope e = envelope(group, style++);
+        plot.curves.push_back(std::move(e.mean));
+        if (group.profiles.size() < 2) continue;
+        plot.bands.push_back(std::move(e.band));
+        bands = true;
+    }
+    return {svg(plot, id), bands ? "Lines: mean over the seeds. Shaded: lowest to highest of the "
+                                   "seeds. Both axes have one scale."
+                                 : "Mean over all azimuths. Both axes have one scale."};
+}
+
+RunSection pile_section(const std::string& name, const rigs::PileRecord& record) {
+    std::string failed;
+    for (const rigs::Criterion& c : record.formed.criteria)
+        if (!c.pass)
+            failed += fmt::format("{}{} is {}, must be {}", failed.empty() ? "" : "; ",
+                                  words(c.name), number(c.value), c.rule);
+    Verdict verdict{Answer::yes, "A heap formed and came to rest",
+                    "every criterion of a heap is met"};
+    if (!record.at_rest)
+        verdict = {Answer::cannot_tell, "Still moving when the run was given up", failed};
+    else if (!record.formed.formed)
+        verdict = {Answer::no, "No heap formed", failed};
+    RunSection section{name,
+                       verdict,
+                       {},
+                       profile_figure({{name, {profile_of(record)}}}, "profile-" + name),
+                       angle_table(record),
+                       {}};
+    section.notes.push_back(fmt::format(
+        "{} grains fed, {} fell off; packing fraction {}, {} contacts per grain; {} steps",
+        count(static_cast<double>(record.grains_fed)),
+        count(static_cast<double>(record.grains_lost)),
+        record.packing_fraction ? number(*record.packing_fraction)
+                                : std::string("not to be had (too small a heap)"),
+        number(record.coordination), count(static_cast<double>(record.steps))));
+    return section;
+}
+
+}  // namespace reports

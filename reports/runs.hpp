@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Runs of the rigs as sections of a report: what came of it in words, one figure, a table of what was measured.
+#pragma once
+
+#include "cases/csv.hpp"
+#include "reports/verdict.hpp"
+#include "rigs/drop.hpp"
+#include "rigs/pile.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace reports {
+
+// Cells of a table as plain text; the first row is the heading. The first and the last column are words, what stands between
+// them numbers. Shape [rows][columns].
+using TextTable = std::vector<std::vector<std::string>>;
+
+struct Figure {
+    std::string svg, caption;
+};
+
+struct RunSection {
+    std::string name;
+    Verdict verdict;
+    std::vector<std::string> notes;  // one line each
+    Figure figure;
+    TextTable quantities;           // may be empty
+    std::vector<Figure> intervals;  // one per quantity; may be empty
+};
+
+// Mean height of a heap over all azimuths, in grain diameters.
+struct HeapProfile {
+    std::vector<double> r, z;
+};
+
+// The repeats of one system, one profile per seed.
+struct HeapGroup {
+    std::string label;
+    std::vector<HeapProfile> profiles;
+};
+
+// Mean of each group as a line and, of two seeds and more, lowest to highest as a band. Groups with other radii than their
+// first profile's are read off by straight lines between points. Empty without a profile.
+Figure profile_figure(const std::vector<HeapGroup>&, const std::string& id);
+
+// One finished run of the rig `pile`: angle by every estimator, whether a heap formed, packing, coordination.
+RunSection pile_section(const std::string& name, const rigs::PileRecord&);
+
+// One run of the rig `drop`, with the recording's points where there is one.
+RunSection drop_section(const std::string& name, const rigs::DropRecord&,
+                        const cases::Recording* recording);
+
+}  // namespace reports

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#include "rigs/physics.hpp"
+
+#include "scaling/errors.hpp"
+
+#include <algorithm>
+
+namespace rigs {
+namespace {
+
+// Critical for one pair. Ai et al. (2011) take 0.3 for stiff heaps; branches of sticky soft grains then sway for hundreds of
+// sqrt(d/g) before they are at rest.
+constexpr double rolling_damping_ratio = 1.0;
+
+}  // namespace
+
+dem_min::Laws laws(const ContactParameters& c) {
+    dem_min::Laws result{contact::Hertz{c.e_star}, contact::Mindlin{c.g_star, c.sliding_friction},
+                         contact::NoRolling{}, contact::DampingTsuji1992::from(c.restitution)};
+    if (c.work_of_adhesion > 0.0) {
+        result.normal = contact::Jkr{c.e_star, c.work_of_adhesion};
+        result.twisting = {c.g_star, c.sliding_friction};
+    }
+    if (c.rigid_tangential) result.tangential = contact::Coulomb{c.sliding_friction};
+    if (c.rolling_friction > 0.0)
+        result.rolling = contact::RollingEpsd{c.rolling_friction, rolling_damping_ratio};
+    return result;
+}
+
+contact::Material grain_material(const cases::Experiment& e) {
+    return {e.grain.youngs_modulus.value, e.grain.poisson_ratio.value.value(),
+            e.grain.density.value};
+}
+
+contact::Material plate_material(const cases::Experiment& e) {
+    return {e.plate.youngs_modulus, e.plate.poisson_ratio.value(), e.grain.density.value};
+}
+
+ContactParameters elastic_parameters(const contact::Material& a, const contact::Material& b) {
+    ContactParameters c{};
+    c.e_star = contact::e_star(a, b).value();
+    c.g_star = contact::g_star(a, b).value();
+    return c;
+}
+
+void refuse_other_physics(const cases::Case& c, const std::string& rig,
+                          const std::vector<std::string>& known) {
+    std::string list;
+    for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
+    for (const std::string& effect : c.model.physics)
+        if (std::find(known.begin(), known.end(), effect) == known.end())
+            throw scaling::InvalidInput(
+                scaling::mistake(c.path + ": model.physics", '"' + effect + '"',
+                                 "must be one of " + list + " for the rig " + rig,
+                                 "this core does not simulate it yet: take it out, and say so "
+                                 "where you use the result"));
+}
+
+}  // namespace rigs

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What the rigs share: which physics of a case a rig runs, and the contact laws that come of it.
+#pragma once
+
+#include "cases/case.hpp"
+#include "contact/effective.hpp"
+#include "dem_min/interaction.hpp"
+
+#include <string>
+#include <vector>
+
+namespace rigs {
+
+// The physics of one kind of contact, in SI.
+struct ContactParameters {
+    double e_star, g_star;    // Pa
+    double work_of_adhesion;  // J/m^2; 0: Hertz
+    double sliding_friction, rolling_friction, restitution;
+    bool rigid_tangential = false;  // hertz_coulomb: no micro-slip
+};
+
+// Hertz or JKR, Mindlin or Coulomb, EPSD or no rolling resistance, Tsuji's dashpots; with adhesion also twisting resistance,
+// without which a sticky branch that hangs on one contact swings about its normal for ever.
+dem_min::Laws laws(const ContactParameters&);
+
+contact::Material grain_material(const cases::Experiment&);
+contact::Material plate_material(const cases::Experiment&);  // the density takes no part
+
+// E* and G* of the pair; all else 0.
+ContactParameters elastic_parameters(const contact::Material&, const contact::Material&);
+
+// Throws scaling::InvalidInput where `model.physics` holds anything but `known`: it would be left out in silence.
+void refuse_other_physics(const cases::Case&, const std::string& rig,
+                          const std::vector<std::string>& known);
+
+}  // namespace rigs

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+#include "rigs/pile.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "contact/effective.hpp"
+#include "dem_min/walls.hpp"
+
+namespace rigs {
+namespace {
+
+using contact::Vec3;
+using dem_min::Simulation;
+
+constexpr std::int64_t rest_check_interval = 100;  // steps
+
+std::vector<dem_min::Wall> walls(const PileConditions& c) {
+    std::vector<dem_min::Wall> result;
+    const double radius = 0.5 * c.base_diameter;
+    if (c.base != Base::glued_grains) result.push_back(dem_min::disc(radius, 0.0));
+    if (c.base == Base::flat_with_rim) result.push_back(dem_min::tube(radius, 0.0, c.rim_height));
+    if (c.funnel)
+        result.push_back(dem_min::cone(0.5 * c.funnel->outlet_diameter, c.funnel->outlet_height,
+                                       0.5 * c.funnel->top_diameter, c.funnel->outlet_height + c.funnel->height));
+    return result;
+}
+
+// The glued grains: a square lattice, one d apart, tops at z = 0, no centre farther out than the base's radius.
+void glue_base(Simulation& s, const PileSetup& setup) {
+    const double d = setup.d, radius = 0.5 * setup.conditions.base_diameter;
+    const int most = static_cast<int>(radius / d) + 1;
+    for (int a = -most; a < most; ++a)
+        for (int b = -most; b < most; ++b) {
+            const double x = (a + 0.5) * d, y = (b + 0.5) * d;
+            if (x * x + y * y > radius * radius) continue;
+            dem_min::insert(s, {{x, y, -0.5 * d}, {}, {}, 0.5 * d, setup.density, true});
+        }
+}
+
+// Top of the heap: of the highest loose grain that touches something.
+double heap_top(const Simulation& s) {
+    double top = 0.0;
+    const auto raise = [&](int grain) {
+        const auto k = static_cast<std::size_t>(grain);
+        if (!s.grains.fixed(k)) top = std::max(top, s.grains.z[k] + s.grains.radius[k]);
+    };
+    for (const int i : s.pairs.i) raise(i);
+    for (const int j : s.pairs.j) raise(j);
+    for (const int i : s.wall_contacts.i) raise(i);
+    return top;
+}
+
+// The lowest height at or above `lowest` at which a sphere at (x, y) is clear of all others, by a thousandth of its reach.
+double free_height(const Simulation& s, double x, double y, double radius, double lowest) {
+    double z = lowest;
+    for (bool moved = true; moved;) {
+        moved = false;
+        for (std::size_t k = 0; k < s.grains.count(); ++k) {
+            const double reach = 1.001 * (s.grains.radius[k] + radius);
+            const double dx = s.grains.x[k] - x, dy = s.grains.y[k] - y, dz = z - s.grains.z[k];
+            const double level = reach * reach - dx * dx - dy * dy;
+            if (level <= 0.0 || dz * dz >= level) continue;
+            z = s.grains.z[k] + std::sqrt(level) * 1.001;
+            moved = true;
+        }
+    }
+    return z;
+}
+
+void feed(PileRun& run, const PileSetup& setup) {
+    Simulation& s = run.simulation;
+    const PileConditions& c = setup.conditions;
+    while (run.fed < setup.feed_time.size() && setup.feed_time[run.fed] <= s.time()) {
+        const double radius = setup.radius[run.fed], x = setup.feed_x[run.fed], y = setup.feed_y[run.fed];
+        const double mouth = c.funnel ? c.funnel->outlet_height + c.funnel->height : c.drop_height;
+        const double lowest = std::max(mouth, heap_top(s) + 2.0 * setup.d);
+        const double z = free_height(s, x, y, radius, lowest + radius);
+        dem_min::insert(s, {{x, y, z}, {}, {}, radius, setup.density, false});
+        ++run.fed;
+    }
+}
+
+std::size_t loose_grains(const Simulation& s) {
+    std::size_t loose = 0;
+    for (std::size_t k = 0; k < s.grains.count(); ++k) loose += !s.grains.fixed(k);
+    return loose;
+}
+
+// Kinetic energy of translation per loose grain over m g d, m and d nominal. Spin is left out: without adhesion nothing resists
+// the twisting of a grain about the vertical normal on which it stands, and that moves nothing.
+double restlessness(const Simulation& s, const PileSetup& setup) {
+    const double mass = setup.density * (std::numbers::pi / 6.0) * (setup.d * setup.d * setup.d);
+    const double unit = mass * setup.gravity * setup.d;
+    const std::size_t loose = loose_grains(s);
+    return loose == 0 ? 0.0 : dem_min::translational_energy(s) / static_cast<double>(loose) / unit;
+}
+
+void watch_rest(PileRun& run, const PileSetup& setup) {
+    const Simulation& s = run.simulation;
+    if (run.fed < setup.feed_time.size() || s.steps % rest_check_interval != 0) return;
+    if (restlessness(s, setup) >= 1e-6) run.still_since = -1;
+    else if (run.still_since < 0) run.still_since = s.steps;
+    const double still =
+        run.still_since < 0 ? 0.0 : static_cast<double>(s.steps - run.still_since) * setup.time_step;
+    run.at_rest = run.still_since >= 0 && still >= setup.rest_duration;
+    run.finished = run.at_rest || s.time() >= setup.longest;
+}
+
+}  // namespace
+
+PileRun begin_pile(const PileSetup& setup, int threads, bool ledger) {
+    PileRun run;
+    Simulation& s = run.simulation;
+    s.settings = {.time_step = setup.time_step,
+                  .skin = setup.skin,
+                  .gravity = {0.0, 0.0, -setup.gravity},
+                  .lost_below = setup.lost_below,
+                  .threads = threads,
+                  .ledger = ledger};
+    s.between_grains = laws(setup.grains);
+    s.at_walls = laws(setup.walls);
+    s.walls = walls(setup.conditions);
+    if (setup.conditions.base == Base::glued_grains) glue_base(s, setup);
+    return run;
+}
+
+void advance(PileRun& run, const PileSetup& setup, std::int64_t steps) {
+    for (std::int64_t k = 0; k < steps && !run.finished; ++k) {
+        feed(run, setup);
+        dem_min::step(run.simulation);
+        watch_rest(run, setup);
+    }
+}
+
+std::int64_t expected_steps(const PileSetup& setup) {
+    const double fall = 2.0 * std::sqrt(2.0 * setup.conditions.drop_height / setup.gravity);
+    return static_cast<std::int64_t>((setup.feed_time.back() + fall + 1.5 * setup.rest_duration) / setup.time_step);
+}
+
+PileRecord record(const PileRun& run, const PileSetup& setup) {
+    const Simulation& s = run.simulation;
+    PileRecord result{};
+    result.heap.base_radius = 0.5 * setup.conditions.base_diameter;
+    for (std::size_t k = 0; k < s.grains.count(); ++k) {
+        if (s.grains.fixed(k)) continue;
+        result.heap.centre.push_back(s.grains.position(k));
+        result.heap.radius.push_back(s.grains.radius[k]);
+    }
+    const HeightMap map = scan(result.heap);
+    result.at_rest = run.at_rest;
+    result.formed =
+        formed(map, {static_cast<std::size_t>(s.past.grains_lost), restlessness(s, setup)});
+    for (const Estimator estimator : computed_estimators)
+        result.angles.emplace_back(estimator, angle_of_repose(map, estimator));
+    result.profile = radial_profile(map);
+    if (const auto packing = packing_fraction(result.heap, map)) result.packing_fraction = packing->value;
+    result.coordination = dem_min::mean_coordination(s);
+    result.grains_fed = static_cast<std::int64_t>(run.fed);
+    result.grains_lost = s.past.grains_lost;
+    result.steps = s.steps;
+    result.time_step = setup.time_step;
+    result.base_radius = result.heap.base_radius;
+    result.grain_diameter = setup.d;
+    result.hash = dem_min::state_hash(s);
+    return result;
+}
+
+}  // namespace rigs

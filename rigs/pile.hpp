@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// The rig `pile`: a heap poured on a limited base; what falls off is gone (docs/pile.md, docs/case.md).
+// Three stages, each plain data: conditions as the case states them, a setup of SI doubles that an engine can run (and that a
+// scale map can scale to the last bit), and the record of a run.
+#pragma once
+
+#include "cases/case.hpp"
+#include "dem_min/simulation.hpp"
+#include "rigs/angle_of_repose.hpp"
+#include "rigs/formed.hpp"
+#include "rigs/heap.hpp"
+#include "rigs/physics.hpp"
+#include "scaling/scale_map.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rigs {
+
+enum class Base { flat, flat_with_rim, glued_grains };
+
+struct Funnel {
+    double outlet_diameter, top_diameter, height, outlet_height;  // m
+};
+
+struct PileConditions {
+    Base base;
+    double base_diameter, rim_height;  // m
+    int grains;
+    double drop_height, feed_diameter;  // m
+    double feed_rate;                   // grains per second
+    std::optional<Funnel> funnel;       // instead of the feed disc
+};
+
+// From an experiment of the rig `pile`, defaults filled in: drop_height 5 d, feed_diameter 6 d, feed_rate such that the stream
+// is 5 % dense where it meets the base. Throws scaling::InvalidInput.
+PileConditions pile_conditions(const cases::Experiment&);
+
+// Grains per second such that a twentieth of the stream is solid where it meets the base. d in m, gravity in m/s^2.
+double default_feed_rate(const PileConditions&, double d, double gravity);
+
+// Everything that a run needs. `d` is the grain's nominal diameter.
+struct PileSetup {
+    PileConditions conditions;
+    double d, density;  // m, kg/m^3
+    double gravity;     // m/s^2, along -z
+    ContactParameters grains, walls;
+    double time_step, skin, lost_below;  // s, m, m
+    double rest_duration;                // s, sqrt(1000 d/g)
+    double longest;                      // s: a run that has not come to rest by then is given up
+    std::vector<double> feed_time;       // s, [grains]
+    std::vector<double> feed_x, feed_y;  // m, [grains]
+    std::vector<double> radius;          // m, [grains]
+};
+
+// The material and the model of a case with the conditions of one of its experiments; feeding places and sizes drawn from
+// `seed`. The time step is the shortest of dem_min::step_limits. Throws scaling::InvalidInput where the model holds physics
+// that this core has not.
+PileSetup pile_setup(const cases::Case&, const cases::Experiment&, std::uint64_t seed);
+
+// Sets time step, skin, rest duration and give-up time from the rest of the setup.
+void choose_steps(PileSetup&);
+
+// Draws feeding instants, places and sizes.
+void choose_feed(PileSetup&, const cases::Grain& sizes, std::uint64_t seed);
+
+// The same setup in the units of the scaled system: every double times the factor of its quantity. Where the factors are powers
+// of two the result is exact, and so are all the bits of the run.
+PileSetup scaled(const PileSetup&, const scaling::ScaleMap&);
+
+// A run between two pauses.
+struct PileRun {
+    dem_min::Simulation simulation;
+    std::size_t fed = 0;            // grains that have appeared
+    std::int64_t still_since = -1;  // step since which the heap has been at rest; -1: moving
+    bool finished = false, at_rest = false;
+};
+
+PileRun begin_pile(const PileSetup&, int threads, bool ledger = false);
+
+// Goes on for at most `steps`, fewer if the run finishes. Deterministic: the number of calls does not matter.
+void advance(PileRun&, const PileSetup&, std::int64_t steps);
+
+// What the run is expected to need, for progress: steps until the last grain is fed and the heap has been still long enough.
+std::int64_t expected_steps(const PileSetup&);
+
+struct PileRecord {
+    Heap heap;
+    bool at_rest;
+    Formed formed;
+    std::vector<std::pair<Estimator, std::optional<Angle>>> angles;
+    RadialProfile profile;
+    std::optional<double> packing_fraction;
+    double coordination;
+    std::int64_t grains_fed, grains_lost, steps;
+    double time_step;                    // s
+    double base_radius, grain_diameter;  // m
+    std::uint64_t hash;                  // of the final state in the setup's own units
+};
+
+PileRecord record(const PileRun&, const PileSetup&);
+
+}  // namespace rigs

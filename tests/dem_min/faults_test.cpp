@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Grains that leave and numbers that break are caught where they are born.
+#include "tests/dem_min/system.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <limits>
+
+using dem_min::Simulation;
+using dem_min::step;
+
+TEST_CASE("a lost grain is taken out with its contacts and counted", "[dem_min][lost]") {
+    const bool reference = GENERATE(false, true);
+    const samples::Powder p = samples::sticky();
+    samples::System system = samples::two_grains(p, 0.0, 0.0, false);
+    // A third grain holds on to the second; only the second and third are near the drain.
+    system.time_step = samples::recommended_step(p, 0.01);
+    system.grains[1].position.x = system.grains[0].position.x + 0.999 * p.diameter;
+    system.grains.push_back(system.grains[1]);
+    system.grains[2].position.x += 0.999 * p.diameter;
+    Simulation s = samples::simulation(system);
+    step(s);
+    REQUIRE(s.pairs.count() == 2);
+    s.grains.z[1] = s.settings.lost_below - p.diameter;
+    reference ? reference_step(s) : step(s);
+    REQUIRE(s.past.grains_lost == 1);
+    REQUIRE(s.grains.count() == 2);
+    REQUIRE(s.grains.id == std::vector<std::int64_t>{0, 2});
+    REQUIRE(s.pairs.count() == 0);
+    step(s);
+    REQUIRE(s.grains.count() == 2);
+}
+
+TEST_CASE("a glued grain is never lost", "[dem_min][lost]") {
+    samples::System system = samples::two_grains(samples::dry(), 0.0, 1e-6, false);
+    system.time_step = 1e-6;
+    system.grains[0].fixed = true;
+    system.grains[0].position.z = -1.0;
+    Simulation s = samples::simulation(system);
+    step(s);
+    REQUIRE(s.grains.count() == 2);
+}
+
+// Grain 1 of id 1: after the first was lost it stands in place 0, and must still be called 1.
+TEST_CASE("a number that is not finite stops the run and names its grain", "[dem_min][faults]") {
+    samples::System system = samples::rain(samples::dry(), 3, true, false);
+    system.grains[0].position.z = system.lost_below - 1e-4;
+    Simulation s = samples::simulation(system);
+    step(s);
+    REQUIRE(s.grains.count() == 2);
+    check_finite(s);
+    s.grains.vy[0] = std::numeric_limits<double>::quiet_NaN();
+    REQUIRE_THROWS_WITH(check_finite(s), Catch::Contains("grain 1 ") && Catch::Contains("step 1 "));
+    SECTION("in a step, too") { REQUIRE_THROWS_WITH(step(s), Catch::Contains("grain 1 ")); }
+    SECTION("and in the reference step") {
+        REQUIRE_THROWS_WITH(reference_step(s), Catch::Contains("grain 1 "));
+    }
+}
+
+TEST_CASE("free flight: position and spin are exact in every step", "[dem_min][exact]") {
+    samples::System system = samples::rain(samples::dry(), 1, true, false);
+    system.walls = {};
+    system.lost_below = -1.0;
+    system.grains[0] = {{0.0, 0.0, 0.0}, {0.3, 0.0, 0.2}, {5.0, 0.0, -7.0}, 5e-5, 2500.0, false};
+    Simulation s = samples::simulation(system);
+    for (int k = 0; k < 1000; ++k) step(s);
+    const double t = s.time();
+    // Verlet is exact in a constant field; 1e-12: a thousand roundings.
+    REQUIRE(s.grains.z[0] == Approx(0.2 * t - 0.5 * 9.81 * t * t).epsilon(1e-12));
+    REQUIRE(s.grains.x[0] == Approx(0.3 * t).epsilon(1e-12));
+    REQUIRE(s.grains.spin(0) == dem_min::Vec3{5.0, 0.0, -7.0});
+}

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+// The same bits from every path: with and without neighbour list, with any number of threads, today
+// and tomorrow.
+#include "tests/dem_min/system.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cstdint>
+#include <fstream>
+#include <map>
+#include <string>
+
+using dem_min::reference_step;
+using dem_min::Simulation;
+using dem_min::state_hash;
+using dem_min::step;
+using samples::dry;
+using samples::rain;
+using samples::sticky;
+using samples::System;
+
+namespace {
+
+struct Named {
+    std::string name;
+    System system;
+};
+
+Named glued_jkr() { return {"glued_jkr", rain(sticky(), 100, false, false)}; }
+Named glued_jkr_sizes() { return {"glued_jkr_sizes", rain(sticky(), 100, false, true)}; }
+Named walled_hertz() { return {"walled_hertz", rain(dry(), 100, true, false)}; }
+Named walled_jkr_sizes() { return {"walled_jkr_sizes", rain(sticky(), 100, true, true)}; }
+
+// Other laws of rolling and sliding, on which the same promises hold.
+Named glued_other_laws() {
+    System s = rain(sticky(), 60, false, true);
+    s.between_grains.tangential = contact::Coulomb{0.4};
+    s.between_grains.rolling = contact::RollingRvd{0.1};
+    s.between_grains.friction_cap = contact::FrictionCap::total_plus_two_pull_off;
+    return {"glued_other_laws", s};
+}
+
+std::map<std::string, std::uint64_t> recorded() {
+    std::ifstream file("tests/dem_min/golden.txt");
+    std::map<std::string, std::uint64_t> result;
+    for (std::string line; std::getline(file, line);) {
+        if (line.empty() || line[0] == '#') continue;
+        const std::size_t space = line.find(' ');
+        result[line.substr(0, space)] = std::stoull(line.substr(space + 1));
+    }
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("two grains: the step with lists gives the bits of the step without",
+          "[dem_min][golden]") {
+    const bool oblique = GENERATE(false, true);
+    const System system = samples::two_grains(sticky(), 0.05, 5e-6, oblique);
+    Simulation fast = samples::simulation(system), slow = fast;
+    for (int k = 0; k < 1000; ++k) {
+        step(fast);
+        reference_step(slow);
+        REQUIRE(state_hash(fast) == state_hash(slow));
+    }
+    REQUIRE(fast.steps == 1000);
+}
+
+TEST_CASE("a rain of grains: the step with lists gives the bits of the step without",
+          "[dem_min][golden]") {
+    const Named sample = GENERATE(glued_jkr(), glued_jkr_sizes(), walled_hertz(),
+                                  walled_jkr_sizes(), glued_other_laws());
+    CAPTURE(sample.name);
+    Simulation fast = samples::simulation(sample.system), slow = fast;
+    std::size_t most_contacts = 0;
+    for (int k = 0; k < 3000; ++k) {
+        step(fast);
+        reference_step(slow);
+        most_contacts = std::max(most_contacts, fast.pairs.count());
+        if (k % 100 == 99) REQUIRE(state_hash(fast) == state_hash(slow));
+    }
+    REQUIRE(most_contacts > 10);  // or nothing was compared
+}
+
+TEST_CASE("a rain of grains: one, two, three and four threads give the same bits",
+          "[dem_min][golden]") {
+    const Named sample = GENERATE(glued_jkr(), glued_jkr_sizes(), walled_hertz());
+    CAPTURE(sample.name);
+    Simulation landing = samples::simulation(sample.system);
+    for (int k = 0; k < 2000; ++k) step(landing);
+    REQUIRE(landing.pairs.count() + landing.wall_contacts.count() > 10);
+    const auto hash = [&](int threads) {
+        Simulation s = landing;
+        s.settings.threads = threads;
+        for (int k = 0; k < 40; ++k) step(s);
+        return state_hash(s);
+    };
+    const std::uint64_t alone = hash(1);
+    for (const int threads : {2, 3, 4}) REQUIRE(hash(threads) == alone);
+}
+
+// The ledger reads the motion and must not touch it.
+TEST_CASE("a rain of grains: keeping the ledger changes no bit", "[dem_min][golden]") {
+    const System system = glued_jkr_sizes().system;
+    Simulation with = samples::simulation(system, 1, true), without = samples::simulation(system);
+    for (int k = 0; k < 1500; ++k) step(with), step(without);
+    REQUIRE(state_hash(with) == state_hash(without));
+}
+
+TEST_CASE("a rain of grains: the bits are those recorded in golden.txt", "[dem_min][golden]") {
+    const Named sample = GENERATE(glued_jkr(), glued_jkr_sizes(), walled_hertz(),
+                                  walled_jkr_sizes(), glued_other_laws());
+    Simulation s = samples::simulation(sample.system);
+    for (int k = 0; k < 3000; ++k) step(s);
+    const auto hashes = recorded();
+    CAPTURE(sample.name, std::to_string(state_hash(s)));
+    REQUIRE(hashes.count(sample.name) == 1);
+    REQUIRE(state_hash(s) == hashes.at(sample.name));
+}

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: MIT
+#include "verify/pile_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstring>
+#include <fstream>
+#include <mutex>
+#include <numbers>
+#include <sstream>
+#include <thread>
+
+namespace verify {
+namespace {
+
+constexpr int version_of_physics = 1;  // raise when a change of laws, core or estimators makes remembered piles stale
+constexpr std::int64_t steps_at_a_time = 2000;
+
+// A setup as text, every double to the last bit: what the fingerprint is taken of.
+std::string described(const rigs::PileSetup& s) {
+    std::string text = fmt::format("physics {} base {} grains {}", version_of_physics,
+                                   static_cast<int>(s.conditions.base), s.conditions.grains);
+    const auto add = [&](double value) { text += fmt::format(" {:a}", value); };
+    const rigs::PileConditions& c = s.conditions;
+    for (const double value : {c.base_diameter, c.rim_height, c.drop_height, c.feed_diameter, c.feed_rate, s.d, s.density,
+                               s.gravity, s.time_step, s.skin, s.lost_below, s.rest_duration, s.longest})
+        add(value);
+    for (const rigs::ContactParameters* p : {&s.grains, &s.walls}) {
+        for (const double value : {p->e_star, p->g_star, p->work_of_adhesion, p->sliding_friction, p->rolling_friction,
+                                   p->restitution})
+            add(value);
+        text += p->rigid_tangential ? " rigid" : " elastic";
+    }
+    if (c.funnel)
+        for (const double value :
+             {c.funnel->outlet_diameter, c.funnel->top_diameter, c.funnel->height, c.funnel->outlet_height})
+            add(value);
+    for (const auto* list : {&s.feed_time, &s.feed_x, &s.feed_y, &s.radius})
+        for (const double value : *list) add(value);
+    return text;
+}
+
+std::uint64_t fnv1a(const std::string& text) {
+    std::uint64_t state = 14695981039346656037ULL;
+    for (const char c : text) state = (state ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+    return state;
+}
+
+PileSample sample_of(const rigs::PileRun& run, const PileJob& job, double seconds) {
+    const rigs::PileRecord record = rigs::record(run, job.setup);
+    PileSample sample;
+    sample.name = job.name;
+    sample.seed = job.seed;
+    sample.formed = record.formed.formed;
+    sample.at_rest = record.at_rest;
+    constexpr double degree = std::numbers::pi / 180.0;
+    for (const auto& [estimator, angle] : record.angles)
+        if (estimator == rigs::Estimator::two_h_over_d && angle) sample.angle_deg = angle->angle / degree;
+    sample.packing_fraction = record.packing_fraction;
+    sample.coordination = record.coordination;
+    sample.grains_on_base = static_cast<double>(record.heap.radius.size());
+    sample.grains_lost = static_cast<double>(record.grains_lost);
+    sample.steps = static_cast<double>(record.steps);
+    sample.seconds = seconds;
+    for (std::size_t k = 0; k < record.profile.r.size(); ++k) {
+        sample.profile_r.push_back(record.profile.r[k] / record.grain_diameter);
+        sample.profile_z.push_back(record.profile.z[k] / record.grain_diameter);
+    }
+    sample.hash = dem_min::state_hash(run.simulation, job.unit_of_length, job.unit_of_time);
+    return sample;
+}
+
+// One line per field: name, count, values as hexadecimal doubles.
+std::string to_text(const PileSample& s) {
+    std::string text;
+    const auto line = [&](const char* name, const std::vector<double>& values) {
+        text += fmt::format("{} {}", name, values.size());
+        for (const double value : values) text += fmt::format(" {:a}", value);
+        text += '\n';
+    };
+    const auto optional = [](const std::optional<double>& value) {
+        return value ? std::vector{*value} : std::vector<double>{};
+    };
+    line("flags", {s.formed ? 1.0 : 0.0, s.at_rest ? 1.0 : 0.0});
+    line("angle_deg", optional(s.angle_deg));
+    line("packing_fraction", optional(s.packing_fraction));
+    line("numbers", {s.coordination, s.grains_on_base, s.grains_lost, s.steps, s.seconds});
+    line("profile_r", s.profile_r);
+    line("profile_z", s.profile_z);
+    text += fmt::format("hash {}\nend\n", s.hash);
+    return text;
+}
+
+// Nothing if the file is not there or not whole.
+std::optional<PileSample> remembered(const PileJob& job, const std::filesystem::path& file) {
+    std::ifstream in(file);
+    PileSample s;
+    s.name = job.name;
+    s.seed = job.seed;
+    const auto line = [&](const char* wanted) {
+        std::string name, number;
+        std::size_t count = 0;
+        in >> name >> count;
+        if (name != wanted || count > 1'000'000) in.setstate(std::ios::failbit);
+        std::vector<double> values;
+        for (std::size_t k = 0; in && k < count; ++k) {
+            in >> number;
+            values.push_back(std::strtod(number.c_str(), nullptr));
+        }
+        return values;
+    };
+    const auto optional = [](const std::vector<double>& values) {
+        return values.empty() ? std::optional<double>{} : std::optional<double>{values[0]};
+    };
+    const std::vector<double> flags = line("flags");
+    s.angle_deg = optional(line("angle_deg"));
+    s.packing_fraction = optional(line("packing_fraction"));
+    const std::vector<double> numbers = line("numbers");
+    s.profile_r = line("profile_r");
+    s.profile_z = line("profile_z");
+    std::string word, end;
+    in >> word >> s.hash >> end;
+    if (!in || end != "end" || flags.size() != 2 || numbers.size() != 5) return {};
+    s.formed = flags[0] != 0.0, s.at_rest = flags[1] != 0.0;
+    s.coordination = numbers[0], s.grains_on_base = numbers[1], s.grains_lost = numbers[2];
+    s.steps = numbers[3], s.seconds = numbers[4];
+    return s;
+}
+
+void remember(const PileSample& sample, const std::filesystem::path& file) {
+    std::filesystem::create_directories(file.parent_path());
+    std::filesystem::path unfinished = file;
+    unfinished += ".tmp";
+    {
+        std::ofstream out(unfinished);
+        out << to_text(sample);
+        if (!out.flush()) throw std::runtime_error(unfinished.string() + ": cannot be written (disk full?)");
+    }
+    std::filesystem::rename(unfinished, file);
+}
+
+// Shared by the workers of one campaign.
+struct Queue {
+    const std::vector<PileJob>& jobs;
+    const Campaign& campaign;
+    std::vector<std::optional<PileSample>> samples;
+    std::vector<double> done;  // grain-steps
+    double total = 0.0;
+    std::size_t next = 0;
+    std::mutex mutex{};
+    std::exception_ptr fault{};
+
+    bool stopped() const { return campaign.stop != nullptr && campaign.stop->load(); }
+
+    void tell(const std::string& ended) {
+        double sum = 0.0;
+        for (const double part : done) sum += part;
+        if (campaign.progress) campaign.progress(sum, total, ended);
+    }
+};
+
+// Grains grow in number while they are fed; on average half of them are there.
+double expected_grain_steps(const rigs::PileSetup& s) {
+    const double feeding = s.feed_time.back() / s.time_step;
+    return static_cast<double>(s.conditions.grains) *
+           (static_cast<double>(rigs::expected_steps(s)) - 0.5 * feeding);
+}
+
+void run_one(Queue& queue, std::size_t index) {
+    const PileJob& job = queue.jobs[index];
+    const auto start = std::chrono::steady_clock::now();
+    const double expected = expected_grain_steps(job.setup);
+    const std::int64_t most = rigs::expected_steps(job.setup);
+    rigs::PileRun run = rigs::begin_pile(job.setup, 1);
+    while (!run.finished && !queue.stopped()) {
+        rigs::advance(run, job.setup, steps_at_a_time);
+        const std::lock_guard lock(queue.mutex);
+        queue.done[index] =
+            expected * std::min(1.0, static_cast<double>(run.simulation.steps) / static_cast<double>(most));
+        queue.tell("");
+    }
+    if (!run.finished) return;
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const PileSample sample = sample_of(run, job, seconds.count());
+    const std::lock_guard lock(queue.mutex);
+    if (!queue.campaign.remembered_in.empty()) remember(sample, file_of(job, queue.campaign.remembered_in));
+    queue.samples[index] = sample;
+    queue.done[index] = expected;
+    queue.tell(job.name);
+}
+
+void work(Queue& queue) {
+    for (;;) {
+        std::size_t index = 0;
+        {
+            const std::lock_guard lock(queue.mutex);
+            while (queue.next < queue.jobs.size() && queue.samples[queue.next]) ++queue.next;
+            if (queue.next >= queue.jobs.size() || queue.stopped() || queue.fault) return;
+            index = queue.next++;
+        }
+        try {
+            run_one(queue, index);
+        } catch (...) {
+            const std::lock_guard lock(queue.mutex);
+            queue.fault = std::current_exception();
+        }
+    }
+}
+
+}  // namespace
+
+std::filesystem::path file_of(const PileJob& job, const std::filesystem::path& folder) {
+    const std::string units = fmt::format(" units {:a} {:a}", job.unit_of_length, job.unit_of_time);
+    return folder / fmt::format("{}-{:016x}.txt", job.name, fnv1a(described(job.setup) + units));
+}
+
+std::vector<PileSample> run_piles(const std::vector<PileJob>& jobs, const Campaign& campaign) {
+    Queue queue{.jobs = jobs,
+                .campaign = campaign,
+                .samples = std::vector<std::optional<PileSample>>(jobs.size()),
+                .done = std::vector<double>(jobs.size(), 0.0)};
+    for (std::size_t k = 0; k < jobs.size(); ++k) {
+        const double expected = expected_grain_steps(jobs[k].setup);
+        queue.total += expected;
+        if (campaign.remembered_in.empty()) continue;
+        queue.samples[k] = remembered(jobs[k], file_of(jobs[k], campaign.remembered_in));
+        if (queue.samples[k]) queue.done[k] = expected;
+    }
+    std::vector<std::thread> workers;
+    for (int k = 0; k < campaign.threads; ++k) workers.emplace_back([&] { work(queue); });
+    for (std::thread& worker : workers) worker.join();
+    if (queue.fault) std::rethrow_exception(queue.fault);
+    std::vector<PileSample> samples;
+    for (std::optional<PileSample>& sample : queue.samples) {
+        if (!sample) throw Interrupted{};
+        samples.push_back(std::move(*sample));
+    }
+    return samples;
+}
+
+}  // namespace verify

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Many piles, one per seed and condition: run side by side, each remembered on disk as soon as it is finished, so that an
+// interrupted campaign goes on where it stopped.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rigs/pile.hpp"
+
+namespace verify {
+
+struct PileJob {
+    std::string name;  // unique, fit for a file name: "reference-7"
+    std::uint64_t seed;
+    rigs::PileSetup setup;
+    double unit_of_length = 1.0, unit_of_time = 1.0;  // the scaled run's in the reference's: its state is hashed in them
+};
+
+// What similarity is judged by, plain numbers; lengths in grain diameters.
+struct PileSample {
+    std::string name;
+    std::uint64_t seed = 0;
+    bool formed = false, at_rest = false;
+    std::optional<double> angle_deg;  // two_h_over_d
+    std::optional<double> packing_fraction;
+    double coordination = 0.0;
+    double grains_on_base = 0.0, grains_lost = 0.0, steps = 0.0, seconds = 0.0;
+    std::vector<double> profile_r, profile_z;  // mean profile, in d
+    std::uint64_t hash = 0;                    // of the final state, in the job's units
+};
+
+struct Campaign {
+    int threads = 1;                           // piles at a time, each on one thread
+    std::filesystem::path remembered_in;       // folder; empty: nothing is remembered
+    // Called from one thread at a time: grains-steps done, of how many, and the pile that has just ended (or empty).
+    std::function<void(double done, double of, const std::string& ended)> progress;
+    const std::atomic<bool>* stop = nullptr;   // set by an interrupt: finished piles stay remembered
+};
+
+// In the order of `jobs`. Throws Interrupted if `stop` was set before all had finished.
+struct Interrupted {};
+std::vector<PileSample> run_piles(const std::vector<PileJob>& jobs, const Campaign&);
+
+// The file of a remembered pile: its name and a fingerprint of its whole setup, so that a changed setup is run anew.
+std::filesystem::path file_of(const PileJob&, const std::filesystem::path& folder);
+
+}  // namespace verify
