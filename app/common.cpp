@@ -2,6 +2,7 @@
 #include "app/common.hpp"
 
 #include "app/version.hpp"
+#include "scaling/errors.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -9,7 +10,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <stdexcept>
 #include <thread>
 
 namespace app {
@@ -22,7 +22,7 @@ void add_common(CLI::App& verb, CommonOptions& options) {
         ->type_name("FILE.html");
     verb.add_option("--seed", options.seed, "what chance starts from")->capture_default_str();
     verb.add_option("--threads", options.threads,
-                    "0: as many as there are cores; results do not depend on it")
+                    "0: as many as there are cores and work for; results do not depend on it")
         ->check(CLI::Range(0, 1024))
         ->capture_default_str();
     verb.add_flag("--resume", options.resume, "go on from the checkpoint of an interrupted run");
@@ -51,7 +51,10 @@ void write_file(const std::string& path, const std::string& text) {
     std::ofstream file(path, std::ios::binary);
     file << text;
     file.close();
-    if (!file) throw std::runtime_error(path + ": cannot be written");
+    if (!file)
+        throw scaling::InvalidInput(scaling::mistake(path, "a place that cannot be written",
+                                                     "must be writable",
+                                                     "choose another file or folder"));
 }
 
 void write_results(const CommonOptions& options, const reports::Json& json,

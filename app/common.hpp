@@ -39,13 +39,14 @@ struct Verb {
 
 reports::Provenance provenance(const std::string& command, const std::string& case_path);
 
-// Writes JSON and page where the options ask for them. Throws std::runtime_error where a file cannot be written.
+// Writes JSON and page where the options ask for them. Throws as write_file.
 void write_results(const CommonOptions&, const reports::Json&,
                    const std::function<reports::Page()>&);
 
 // Text for a person, on standard output, unless that is taken by JSON or --quiet.
 void print(const CommonOptions&, const std::string& text);
 
+// Makes the folder where needed. Throws scaling::InvalidInput where the file cannot be written.
 void write_file(const std::string& path, const std::string& text);
 
 }  // namespace app

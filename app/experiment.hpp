@@ -6,6 +6,8 @@
 #include "cases/case.hpp"
 #include "reports/runs.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include <filesystem>
 #include <functional>
 #include <optional>

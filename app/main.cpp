@@ -5,6 +5,7 @@
 #include "app/verify.hpp"
 #include "app/version.hpp"
 #include "scaling/errors.hpp"
+#include "scaling/nearest_name.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -39,6 +40,17 @@ int complain(const std::string& what, int code) {
     return code;
 }
 
+// What is typed where a verb should stand; empty where nothing is.
+std::string missing_verb(const std::vector<app::Verb>& verbs, const std::string& typed) {
+    std::vector<std::string> names;
+    for (const app::Verb& verb : verbs) names.push_back(verb.app->get_name());
+    const std::string rule = "must be one of " + scaling::joined(names);
+    if (typed.empty())
+        return scaling::mistake("verb", "none", rule, "similitude --help says what each does");
+    return scaling::mistake("verb", '"' + typed + '"', rule,
+                            "did you mean " + scaling::nearest_name(typed, names) + "?");
+}
+
 // Help and version are no mistakes; anything else that CLI11 throws is the user's.
 int explain(const CLI::App& app, const CLI::ParseError& error) {
     if (error.get_exit_code() == 0) return app.exit(error);
@@ -64,6 +76,9 @@ int main(int argc, char** argv) {
         cli.parse(argc, argv);
         for (const app::Verb& verb : verbs)
             if (verb.app->parsed()) return verb.run();
+    } catch (const CLI::RequiredError& error) {
+        if (!cli.get_subcommands().empty()) return explain(cli, error);
+        return complain(missing_verb(verbs, argc > 1 ? argv[1] : ""), app::bad_input);
     } catch (const CLI::ParseError& error) {
         return explain(cli, error);
     } catch (const scaling::InvalidInput& error) {

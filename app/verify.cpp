@@ -72,7 +72,9 @@ reports::Page page_of(const std::optional<cases::Case>& c, const reports::Verifi
                        .verification = v,
                        .limits = reports::limits_of(v),
                        .provenance = who};
-    if (c) add_scaling(page, *c, threads);
+    if (!c) return page;
+    add_scaling(page, *c, threads);
+    for (const std::string& limit : reports::limits_of(*page.study)) page.limits.push_back(limit);
     return page;
 }
 

@@ -86,8 +86,8 @@ void insert(Simulation& s, const Grain& grain) {
 void kick_and_drift(Simulation& s) {
     Particles& p = s.grains;
     const double dt = s.settings.time_step, half = 0.5 * dt;
-    const int n = static_cast<int>(p.count());
-#pragma omp parallel for simd schedule(static) num_threads(s.settings.threads) if (s.settings.threads > 1)
+    const int n = static_cast<int>(p.count()), team = s.team();
+#pragma omp parallel for simd schedule(static) num_threads(team) if (team > 1)
     for (int index = 0; index < n; ++index) {
         const auto k = static_cast<std::size_t>(index);
         const double a = half * p.inverse_mass[k], b = half * p.inverse_inertia[k];
@@ -100,10 +100,10 @@ void kick_and_drift(Simulation& s) {
 void gather_and_kick(Simulation& s) {
     Particles& p = s.grains;
     const double half = 0.5 * s.settings.time_step;
-    const int n = static_cast<int>(p.count());
+    const int n = static_cast<int>(p.count()), team = s.team();
     const Contacts &pairs = s.pairs, &walls = s.wall_contacts;
     const Incidence &of_pairs = s.neighbours.of_pairs, &of_walls = s.neighbours.of_walls;
-#pragma omp parallel for schedule(static) num_threads(s.settings.threads) if (s.settings.threads > 1)
+#pragma omp parallel for schedule(static) num_threads(team) if (team > 1)
     for (int index = 0; index < n; ++index) {
         const auto k = static_cast<std::size_t>(index);
         if (p.fixed(k)) continue;

@@ -113,7 +113,7 @@ CandidateList near_pairs(const Particles& p, double skin, const GapOf& pair_gap,
     const double r_max = *std::max_element(p.radius.begin(), p.radius.end());
     const Grid grid = make_grid(p, 2.0 * r_max + pair_gap(0.5 * r_max) + skin);
     std::vector<CandidateList> parts(static_cast<std::size_t>(threads));
-#pragma omp parallel num_threads(threads)
+#pragma omp parallel num_threads(threads) if (threads > 1)
     {
         CandidateList& part = parts[static_cast<std::size_t>(omp_get_thread_num())];
         CachedGap gap(pair_gap);
@@ -181,7 +181,7 @@ bool outdated(const Neighbours& neighbours, const Particles& p, double skin, int
     const double allowed = 0.25 * skin * skin;
     int far = 0;  // grains; one that is nowhere (NaN) counts too, and is then found by check_finite
     const int n = static_cast<int>(p.count());
-#pragma omp parallel for simd reduction(+ : far) schedule(static) num_threads(threads)
+#pragma omp parallel for simd reduction(+ : far) schedule(static) num_threads(threads) if (threads > 1)
     for (int k = 0; k < n; ++k) {
         const auto a = static_cast<std::size_t>(k);
         const double dx = p.x[a] - neighbours.x0[a], dy = p.y[a] - neighbours.y0[a], dz = p.z[a] - neighbours.z0[a];

@@ -3,6 +3,7 @@
 // same instant. All numbers SI.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -19,7 +20,8 @@ struct Settings {
     double skin = 0.0;       // m, margin of the neighbour list: it is made anew once a grain has moved half of it
     Vec3 gravity;            // m/s^2
     double lost_below = 0.0; // m: a grain whose centre sinks below this z has left and is taken out
-    int threads = 1;
+    int threads = 1;          // at most
+    int grains_per_thread = 1000;  // with fewer, threads wait for one another longer than they work
     bool ledger = false;     // keep the energy ledger (costs some 10 % of a step)
 };
 
@@ -44,6 +46,10 @@ struct Simulation {
     std::int64_t steps = 0;
     std::int64_t births = 0;  // the next grain's id
 
+    // Threads that this many grains are worth. The bits do not depend on it.
+    int team() const {
+        return std::clamp(static_cast<int>(grains.count()) / settings.grains_per_thread, 1, settings.threads);
+    }
     double time() const { return static_cast<double>(steps) * settings.time_step; }
 };
 

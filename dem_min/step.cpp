@@ -13,10 +13,10 @@ namespace {
 // Loads of all contacts in a list; `motion_of(slot)` gives the motion. A contact beyond its tear-off gets a load too, which
 // nobody sees: `end_torn` takes it out before the loads are gathered.
 template <class MotionOf>
-void load_contacts(const Laws& laws, Contacts& contacts, const Settings& settings, MotionOf&& motion_of) {
+void load_contacts(const Laws& laws, Contacts& contacts, const Settings& settings, int team, MotionOf&& motion_of) {
     const int count = static_cast<int>(contacts.count());
     const int blocks = (count + block_size - 1) / block_size;
-#pragma omp parallel for schedule(static) num_threads(settings.threads) if (settings.threads > 1)
+#pragma omp parallel for schedule(static) num_threads(team) if (team > 1)
     for (int b = 0; b < blocks; ++b) {
         MotionBlock motion;
         const int first = b * block_size, size = std::min(block_size, count - first);
@@ -50,7 +50,7 @@ void begin_contact(CandidateList& list, int candidate, Contacts& contacts, const
 bool begin_pairs(Simulation& s) {
     const Particles& p = s.grains;
     CandidateList& list = s.neighbours.pairs;
-    const std::vector<int> born = find_touching(list, s.settings.threads, [&](std::size_t c) {
+    const std::vector<int> born = find_touching(list, s.team(), [&](std::size_t c) {
         const auto i = static_cast<std::size_t>(list.i[c]), j = static_cast<std::size_t>(list.j[c]);
         const double dx = p.x[j] - p.x[i], dy = p.y[j] - p.y[i], dz = p.z[j] - p.z[i];
         return dx * dx + dy * dy + dz * dz <= list.reach[c] * list.reach[c];
@@ -65,7 +65,7 @@ bool begin_pairs(Simulation& s) {
 
 bool begin_wall_contacts(Simulation& s) {
     CandidateList& list = s.neighbours.walls;
-    const std::vector<int> born = find_touching(list, s.settings.threads, [&](std::size_t c) {
+    const std::vector<int> born = find_touching(list, s.team(), [&](std::size_t c) {
         const Vec3 x = s.grains.position(static_cast<std::size_t>(list.i[c]));
         return distance(s.walls[static_cast<std::size_t>(list.j[c])], x).distance <= list.reach[c];
     });
@@ -91,12 +91,12 @@ double gap(const Laws& laws, double r_star) {
 }
 
 void renew_neighbours(Simulation& s) {
-    if (!outdated(s.neighbours, s.grains, s.settings.skin, s.settings.threads)) return;
+    if (!outdated(s.neighbours, s.grains, s.settings.skin, s.team())) return;
     check_finite(s);
     find_neighbours(
         s.neighbours, s.grains, s.walls, s.pairs, s.wall_contacts, s.settings.skin,
         [&](double r_star) { return gap(s.between_grains, r_star); },
-        [&](double r_star) { return gap(s.at_walls, r_star); }, s.settings.threads);
+        [&](double r_star) { return gap(s.at_walls, r_star); }, s.team());
 }
 
 }  // namespace
@@ -106,11 +106,11 @@ void step(Simulation& s) {
     remove_lost(s);
     renew_neighbours(s);
     const bool pairs_born = begin_pairs(s), walls_born = begin_wall_contacts(s);
-    load_contacts(s.between_grains, s.pairs, s.settings, [&](std::size_t slot) {
+    load_contacts(s.between_grains, s.pairs, s.settings, s.team(), [&](std::size_t slot) {
         return pair_motion(s.grains, static_cast<std::size_t>(s.pairs.i[slot]),
                            static_cast<std::size_t>(s.pairs.j[slot]));
     });
-    load_contacts(s.at_walls, s.wall_contacts, s.settings, [&](std::size_t slot) {
+    load_contacts(s.at_walls, s.wall_contacts, s.settings, s.team(), [&](std::size_t slot) {
         const auto i = static_cast<std::size_t>(s.wall_contacts.i[slot]);
         const Wall& wall = s.walls[static_cast<std::size_t>(s.wall_contacts.j[slot])];
         return wall_motion(s.grains, i, distance(wall, s.grains.position(i)));

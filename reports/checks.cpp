@@ -14,27 +14,24 @@ namespace {
 
 std::string hash_text(std::uint64_t hash) { return fmt::format("{:016x}", hash); }
 
-std::string first_failure(const Verification& v) {
+// Each thing that is not as it must be, in a sentence.
+std::vector<std::string> failures(const Verification& v) {
+    std::vector<std::string> all;
     for (const verify::Check& c : v.checks)
         if (!c.passed)
-            return fmt::format("{}: expected {}, got {}, tolerance {}", c.name, number(c.expected),
-                               number(c.got), tolerance_text(c));
-    if (v.similarity)
-        for (const verify::BitsCheck& b : v.similarity->bits)
-            if (!b.equal)
-                return fmt::format(
-                    "scheme {}, h = {}: the scaled pile is not the reference pile to the last bit",
-                    b.scheme, number(b.h));
-    return "";
-}
-
-std::size_t failures(const Verification& v) {
-    auto failed = std::count_if(v.checks.begin(), v.checks.end(),
-                                [](const verify::Check& c) { return !c.passed; });
-    if (v.similarity)
-        failed += std::count_if(v.similarity->bits.begin(), v.similarity->bits.end(),
-                                [](const verify::BitsCheck& b) { return !b.equal; });
-    return static_cast<std::size_t>(failed);
+            all.push_back(fmt::format("{}: expected {}, got {}, tolerance {}", c.name,
+                                      number(c.expected), number(c.got), tolerance_text(c)));
+    if (!v.similarity) return all;
+    for (const verify::BitsCheck& b : v.similarity->bits)
+        if (!b.equal)
+            all.push_back(fmt::format(
+                "scheme {}, h = {}: the scaled pile is not the reference pile to the last bit",
+                b.scheme, number(b.h)));
+    for (const verify::Comparison& c : v.similarity->comparisons)
+        if (c.must_differ && c.answer == verify::Answer::equivalent)
+            all.push_back(
+                fmt::format("{}: made wrong on purpose, yet it passes as equivalent", c.name));
+    return all;
 }
 
 std::string what_passed(const Verification& v) {
@@ -104,14 +101,14 @@ TextTable bits_table(const Verification& v) {
 }
 
 Verdict verdict_of(const Verification& v) {
-    const std::string failure = first_failure(v);
+    const std::vector<std::string> failed = failures(v);
     const verify::Comparison* main = v.similarity && !v.similarity->comparisons.empty()
                                          ? &v.similarity->comparisons.front()
                                          : nullptr;
-    if (!failure.empty()) {
-        const std::size_t n = failures(v);
-        return {Answer::no, fmt::format("{} check{} failed", n, n == 1 ? "" : "s"), failure};
-    }
+    if (!failed.empty())
+        return {Answer::no,
+                fmt::format("{} check{} failed", failed.size(), failed.size() == 1 ? "" : "s"),
+                failed.front()};
     const std::string also = main != nullptr ? comparison_sentence(*main) : "";
     if (main != nullptr && main->answer == verify::Answer::different)
         return {Answer::no, "The scaled pile is not the reference pile", also};

@@ -20,7 +20,7 @@ struct Verification {
         similarity;  // its first comparison is the one that is judged
 };
 
-// no: a check fails, bits differ, or the first comparison is different. cannot tell: nothing fails, but that comparison has
+// no: a check fails, bits differ, a control made wrong on purpose passes, or the first comparison is different. cannot tell: nothing fails, but that comparison has
 // the seeds for a claim and is not decided. With fewer seeds nothing is claimed of it, and nothing is held against it.
 Verdict verdict_of(const Verification&);
 

@@ -94,6 +94,7 @@ Json comparison_json(const verify::Comparison& c) {
             {"what_differs", c.what_differs},
             {"answer", verify::to_string(c.answer)},
             {"claimed", c.claims},
+            {"must_differ", c.must_differ},
             {"quantities", std::move(quantities)},
             {"reference", side_json(c.reference)},
             {"scaled", side_json(c.scaled)}};
@@ -103,17 +104,19 @@ Json comparison_json(const verify::Comparison& c) {
 
 Json to_json(const Verification& v) {
     const Verdict verdict = verdict_of(v);
-    Json checks = Json::array(), comparisons = Json::array();
+    Json checks = Json::array(), comparisons = Json::array(), findings = Json::array();
     for (const verify::Check& c : v.checks) checks.push_back(check_json(c));
     if (v.similarity) {
         for (const verify::BitsCheck& b : v.similarity->bits) checks.push_back(bits_json(b));
         for (const verify::Comparison& c : v.similarity->comparisons)
             comparisons.push_back(comparison_json(c));
+        findings = to_json(v.similarity->findings);
     }
     return {{"verdict", to_string(verdict.answer)},
             {"why", verdict.why},
             {"checks", std::move(checks)},
-            {"comparisons", std::move(comparisons)}};
+            {"comparisons", std::move(comparisons)},
+            {"findings", std::move(findings)}};
 }
 
 }  // namespace reports

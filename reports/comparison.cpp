@@ -103,6 +103,13 @@ Verdict verdict_of(const verify::Comparison& c) {
     const std::string why =
         fmt::format("compared: {}{}", c.what_differs,
                     c.claims ? "" : "; too few seeds for a claim of equivalence at 95 % power");
+    if (c.must_differ) {
+        const bool seen = c.answer != verify::Answer::equivalent;
+        return {seen ? Answer::yes : Answer::no,
+                seen ? "A control, and it does not pass, as it must not"
+                     : "A control that passes although it must not",
+                why};
+    }
     switch (c.answer) {
         case verify::Answer::equivalent:
             return {c.claims ? Answer::yes : Answer::cannot_tell,

@@ -17,18 +17,6 @@ using scaling::ScaleStudy;
 
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
-Json findings_json(const std::vector<Finding>& findings) {
-    Json list = Json::array();
-    for (const Finding& f : findings) {
-        list.push_back({{"name", f.name},
-                        {"value", finite(f.value)},
-                        {"rule", f.rule},
-                        {"judgement", scaling::to_string(f.judgement)},
-                        {"text", f.text}});
-    }
-    return list;
-}
-
 Json factors_json(const ScaleStudy& study) {
     Json factors = Json::object();
     for (const scaling::FactorRow& row : study.factors) {
@@ -69,7 +57,7 @@ Json prediction_json(const AdhesionPrediction& p) {
             {"original", grain_adhesion_json(p.original)},
             {"scaled", grain_adhesion_json(p.scaled)},
             {"physically_usable", p.physically_usable},
-            {"findings", findings_json(p.findings)}};
+            {"findings", to_json(p.findings)}};
 }
 
 Json adhesion_json(const ScaleStudy& study) {
@@ -103,6 +91,18 @@ Json cost_side(const Cost& c) {
 
 }  // namespace
 
+Json to_json(const std::vector<Finding>& findings) {
+    Json list = Json::array();
+    for (const Finding& f : findings) {
+        list.push_back({{"name", f.name},
+                        {"value", finite(f.value)},
+                        {"rule", f.rule},
+                        {"judgement", scaling::to_string(f.judgement)},
+                        {"text", f.text}});
+    }
+    return list;
+}
+
 Json to_json(const ScaleStudy& study) {
     Json kept = Json::array();
     for (const scaling::Demand& d : study.scheme.demands)
@@ -128,7 +128,7 @@ Json to_json(const ScaleStudy& study) {
              {{"original", cost_side(study.original_cost)},
               {"scaled", cost_side(study.scaled_cost)},
               {"originals_per_grain", finite(study.originals_per_grain)}}},
-            {"findings", findings_json(study.findings)}};
+            {"findings", to_json(study.findings)}};
 }
 
 Json to_json(const rigs::PileRecord& r) {

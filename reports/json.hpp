@@ -11,6 +11,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include <string>
+#include <vector>
 
 namespace reports {
 
@@ -19,6 +20,9 @@ using Json = nlohmann::ordered_json;
 // scheme, h, softening, factors, groups, adhesion, scale_number, cost, findings. What belongs to the powder itself stands
 // under "original", what belongs to the simulated one under "scaled".
 Json to_json(const scaling::ScaleStudy&);
+
+// A list of name, value, rule, judgement, text.
+Json to_json(const std::vector<scaling::Finding>&);
 
 // angles (rad, by estimator), packing_fraction, coordination, formed with its criteria, counts, the hash of the final state.
 Json to_json(const rigs::PileRecord&);

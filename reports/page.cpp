@@ -45,9 +45,16 @@ data provenance_data(const Provenance& p) {
 
 std::vector<RunSection> runs_of(const Page& page) {
     std::vector<RunSection> all = page.runs;
-    if (page.verification && page.verification->similarity)
-        for (const verify::Comparison& c : page.verification->similarity->comparisons)
-            all.push_back(comparison_section(c));
+    if (!page.verification || !page.verification->similarity) return all;
+    const verify::SimilarityResult& similarity = *page.verification->similarity;
+    const std::size_t first = all.size();
+    for (const verify::Comparison& c : similarity.comparisons) all.push_back(comparison_section(c));
+    if (all.size() == first) return all;
+    for (const scaling::Finding& f : similarity.findings)
+        if (f.judgement != scaling::Judgement::fine)
+            all[first].notes.push_back(fmt::format("{}: {} = {} ({}), {}",
+                                                   scaling::to_string(f.judgement), words(f.name),
+                                                   number(f.value), f.rule, f.text));
     return all;
 }
 

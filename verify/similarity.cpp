@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "contact/effective.hpp"
-#include "scaling/adhesion_findings.hpp"
+#include "scaling/adhesion.hpp"
 #include "scaling/errors.hpp"
 #include "scaling/scale_map.hpp"
 
@@ -120,6 +120,7 @@ Comparison compare(const std::string& name, const std::string& what_differs, Sid
                  .scaled = std::move(scaled),
                  .quantities = {},
                  .answer = Answer::not_decided,
+                 .must_differ = false,
                  .claims = true};
     c.quantities = {
         compare("angle_of_repose", "deg", m.angle_deg, m.alpha, c.reference, c.scaled),
@@ -136,6 +137,19 @@ Comparison compare(const std::string& name, const std::string& what_differs, Sid
     }
     c.answer = some_outside ? Answer::different : all_inside ? Answer::equivalent : Answer::not_decided;
     return c;
+}
+
+// What the softened grain of both sides can be trusted for; similar sides have the same findings.
+std::vector<scaling::Finding> findings_of(const PileJob& job, const scaling::ScaleMap& map, double poisson_ratio) {
+    const rigs::PileSetup& s = job.setup;
+    const scaling::Grain grain{scaling::Length::from_value(s.d),
+                               scaling::Density::from_value(s.density),
+                               scaling::Pressure::from_value(youngs_modulus(s, poisson_ratio)),
+                               poisson_ratio,
+                               scaling::Acceleration::from_value(s.gravity),
+                               scaling::Length::from_value(s.conditions.drop_height)};
+    const auto w = scaling::EnergyPerArea::from_value(s.grains.work_of_adhesion);
+    return scaling::predict_adhesion(grain, map, {}, {w, scaling::Of::original}).findings;
 }
 
 BitsCheck bits_check(const char* scheme, double h, const PileSample& reference, const PileSample& scaled) {
@@ -198,7 +212,8 @@ PileJob paper_job(std::size_t variant, const cases::Case& c, const ReferenceHeap
     return job;
 }
 
-int seeds_of(Extent extent) { return extent == Extent::small ? 3 : extent == Extent::standard ? 6 : 12; }
+// 30: the packing fraction scatters by 0.008 from seed to seed, close to its margin of 0.01; angle and coordination need 8 and 2.
+int seeds_of(Extent extent) { return extent == Extent::small ? 3 : extent == Extent::standard ? 12 : 30; }
 
 }  // namespace
 
@@ -295,12 +310,15 @@ SimilarityResult similarity(const cases::Case& c, Extent extent, std::uint64_t s
     };
     result.bits = {bits_check("exact", 256.0, plan.samples(reference).front(), plan.samples(bits_exact).front()),
                    bits_check("kept_gravity", 256.0, plan.samples(reference).front(), plan.samples(bits_kept).front())};
+    result.findings = findings_of(plan.job(reference), chosen, nu);
     const Side reference_side = side("reference", reference);
     result.comparisons.push_back(compare(fmt::format("kept_gravity, h = {:g}", h), "the scale alone", reference_side,
                                          side("scaled", scaled), result.margins));
-    for (std::size_t k = 0; k < control.size(); ++k)
+    for (std::size_t k = 0; k < control.size(); ++k) {
         result.comparisons.push_back(compare(controls[k].name, controls[k].what_differs, reference_side,
                                              side("scaled, off", control[k]), result.margins));
+        result.comparisons.back().must_differ = true;
+    }
     for (std::size_t k = 1; k < paper.size(); ++k)
         result.comparisons.push_back(compare(paper_variants[k - 1].name, paper_variants[k - 1].what_differs,
                                              side("reference, modulus kept", paper.front()), side("scaled", paper[k]),

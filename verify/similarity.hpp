@@ -72,6 +72,7 @@ struct Comparison {
     std::vector<Quantity> quantities;  // angle_of_repose, packing_fraction, coordination
     // equivalent: all three inside their margins; different: some interval wholly outside its margin.
     Answer answer;
+    bool must_differ;  // a control, made wrong on purpose: passing as equivalent would show that the test sees nothing
     bool claims;  // enough seeds for 95 % power: otherwise intervals are shown and nothing is claimed
 };
 

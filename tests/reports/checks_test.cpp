@@ -43,6 +43,19 @@ TEST_CASE(
     CHECK(verdict_of(v).answer == Answer::yes);
 }
 
+TEST_CASE("verdict: a control made wrong on purpose must not pass as equivalent",
+          "[reports][verdict]") {
+    Verification v = cone_verification();
+    v.similarity->comparisons.push_back(v.similarity->comparisons[0]);
+    v.similarity->comparisons[1].must_differ = true;
+    v.similarity->comparisons[1].answer = verify::Answer::different;
+    CHECK(verdict_of(v).answer == Answer::yes);
+    CHECK(comparison_section(v.similarity->comparisons[1]).verdict.answer == Answer::yes);
+    v.similarity->comparisons[1].answer = verify::Answer::equivalent;
+    CHECK(verdict_of(v).answer == Answer::no);
+    CHECK(comparison_section(v.similarity->comparisons[1]).verdict.answer == Answer::no);
+}
+
 TEST_CASE(
     "verification as json: every check has expected, got, tolerance and its reason, the bits among "
     "them",

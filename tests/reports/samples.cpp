@@ -82,6 +82,7 @@ reports::Verification cone_verification() {
                          .scaled = side("scaled", 240e-6, -0.8),
                          .quantities = {},
                          .answer = verify::Answer::not_decided,
+                         .must_differ = false,
                          .claims = false};
     c.quantities = {
         quantity("angle_of_repose", "deg", {29.0, 30.0, 31.0}, {29.2, 30.2, 31.2}, 2.5),

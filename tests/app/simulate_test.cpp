@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "command_line.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <string>
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json manifest(const Folder& f, const std::string& folder) {
+    return Json::parse(contents(f / (folder + "/run.json")));
+}
+
+std::string hash_of(const Json& run) { return run.at("runs").at(0).at("result").at("hash"); }
+
+}  // namespace
+
+TEST_CASE("simulate: an interrupted heap goes on to the same bits as one that never stopped",
+          "[app][simulate]") {
+    const Folder f;
+    const std::string path = f.write("case.json", tiny_case());
+    const Outcome whole = similitude({"simulate", path, "--out", f / "whole", "--threads", "1"});
+    INFO(whole.err);
+    REQUIRE(whole.code == 0);
+
+    // A third of the whole run's time, so that the signal comes well inside the second one.
+    const double seconds = manifest(f, "whole").at("runs").at(0).at("wall_time");
+    const int soon = static_cast<int>(300.0 * seconds);
+    const Outcome part =
+        similitude({"simulate", path, "--out", f / "part", "--threads", "1", "--yes"}, soon);
+    REQUIRE(part.code == 130);
+    CHECK_FALSE(manifest(f, "part").at("runs").at(0).at("finished").get<bool>());
+
+    const Outcome other =
+        similitude({"simulate", path, "--out", f / "part", "--seed", "2", "--resume"});
+    CHECK(other.code == 2);
+    CHECK(other.err.find("must belong to this case, seed and version") != std::string::npos);
+
+    const Outcome rest =
+        similitude({"simulate", path, "--out", f / "part", "--threads", "1", "--resume"});
+    REQUIRE(rest.code == 0);
+    CHECK(hash_of(manifest(f, "part")) == hash_of(manifest(f, "whole")));
+    CHECK(contents(f / "part/pile.csv") == contents(f / "whole/pile.csv"));
+    CHECK(contents(f / "part/pile-grains.csv") == contents(f / "whole/pile-grains.csv"));
+    CHECK_FALSE(std::filesystem::exists(f / "part/pile.state.json"));
+}
+
+TEST_CASE("simulate: the manifest says what, with which seed, from which input",
+          "[app][simulate]") {
+    const Folder f;
+    const std::string path = f.write("case.json", tiny_case("\"grains\": 300", "\"grains\": 60"));
+    const Outcome o = similitude(
+        {"simulate", path, "--out", f / "out", "--seed", "7", "--report", f / "page.html"});
+    REQUIRE(o.code == 0);
+    CHECK(o.out.find("flank_20_80") != std::string::npos);
+    const Json j = manifest(f, "out");
+    for (const char* key : {"tool", "case", "inputs", "seed", "runs"}) CHECK(j.contains(key));
+    CHECK(j.at("seed") == 7);
+    CHECK(j.at("inputs").at(0).at("fnv1a64").get<std::string>().size() == 16);
+    CHECK(contents(f / "out/pile.csv").find("azimuth [rad],r [m],z [m]\n") == 0);
+    CHECK(contents(f / "page.html").find("id=\"runs\"") != std::string::npos);
+}
+
+TEST_CASE("simulate: a drop writes its channels at the recording's own times", "[app][simulate]") {
+    // Free fall from 100 mm under 9.81 m/s^2: z(0.1 s) = 0.1 - 9.81 * 0.01 / 2 = 0.05095 m.
+    const Folder f;
+    f.write("drop.csv", "t [s],z [mm]\n0,100\n0.1,51\n");
+    std::string text = tiny_case(
+        R"([{"id": "pile", "rig": "pile",
+    "conditions": {"base": "glued_grains", "base_diameter": "10 mm", "grains": 300}}])",
+        R"([{"id": "drop", "rig": "drop", "conditions": {"height": "100 mm"}, "recording": "drop.csv"}])");
+    const std::string with_plate =
+        "\"plate\": {\"youngs_modulus\": \"70 GPa\", \"poisson_ratio\": 0.3},\n  ";
+    text.insert(text.find("\"model\""), with_plate);
+    const Outcome o = similitude({"simulate", f.write("case.json", text), "--out", f / "out"});
+    INFO(o.err);
+    REQUIRE(o.code == 0);
+    double t = 0, z = 0, x = 0;
+    const std::string csv = contents(f / "out/drop.csv");
+    REQUIRE(std::sscanf(csv.c_str() + csv.rfind("\n0.1,") + 1, "%lf,%lf,%lf", &t, &z, &x) == 3);
+    CHECK(z == Approx(0.05095).epsilon(1e-9));  // a parabola carried in one go: round-off
+}
