@@ -31,7 +31,8 @@ void add_common(CLI::App& verb, CommonOptions&);
 
 int threads_of(const CommonOptions&);
 
-// A verb as main sees it: which sub-command, and what to do when it was asked for. `run` returns an exit code.
+// A verb as main sees it: which sub-command, and what to do when it was asked for. `run` returns an
+// exit code.
 struct Verb {
     CLI::App* app;
     std::function<int()> run;

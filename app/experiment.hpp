@@ -28,9 +28,10 @@ struct RunPlace {
     bool yes;  // run whatever it costs
 };
 
-// Checks everything that can be wrong with the experiment now and returns what runs it later: ID.csv with the rig's
-// channels, ID-grains.csv of a pile. Throws scaling::InvalidInput for a rig that cannot be simulated, for a pile that is fed
-// without a count, and for a cost beyond a night unless `yes`.
+// Checks everything that can be wrong with the experiment now and returns what runs it later:
+// ID.csv with the rig's channels, ID-grains.csv of a pile. Throws scaling::InvalidInput for a rig
+// that cannot be simulated, for a pile that is fed without a count, and for a cost beyond a night
+// unless `yes`.
 std::function<ExperimentRun()> prepared(const cases::Case&, const cases::Experiment&,
                                         const CommonOptions&, const RunPlace&);
 

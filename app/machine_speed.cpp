@@ -12,8 +12,8 @@ namespace app {
 
 namespace {
 
-// A cubic block at rest on nothing: d = 1, density 1, E* = 1e5, overlap 1e-3, w = 1. A step of 1e-3 is an eighth of the
-// Rayleigh time.
+// A cubic block at rest on nothing: d = 1, density 1, E* = 1e5, overlap 1e-3, w = 1. A step of 1e-3
+// is an eighth of the Rayleigh time.
 dem_min::Simulation block(int threads) {
     constexpr int side = 12;
     constexpr double spacing = 0.999;

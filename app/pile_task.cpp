@@ -65,8 +65,8 @@ void remove_old(const PileTask& task, std::int64_t steps) {
     std::filesystem::remove(checkpoint_file(task, steps), ignored);
 }
 
-// New grains first, then the state that points at them, then the old grains go: whenever this is cut off, one whole pair
-// stays. Returns the steps of the checkpoint written.
+// New grains first, then the state that points at them, then the old grains go: whenever this is
+// cut off, one whole pair stays. Returns the steps of the checkpoint written.
 std::int64_t write_state(const PileTask& task, const rigs::PileRun& run, double seconds,
                          std::int64_t old_steps) {
     const std::int64_t steps = run.simulation.steps;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One pile from its setup to its record, interruptible: on a signal, and every five minutes, the run is put on disk.
+// One pile from its setup to its record, interruptible: on a signal, and every five minutes, the
+// run is put on disk.
 #pragma once
 
 #include "rigs/pile.hpp"
@@ -28,8 +29,8 @@ struct PileOutcome {
     double seconds;  // wall time, with that of earlier parts
 };
 
-// With `resume` it goes on from its checkpoint if there is one. A finished run leaves no checkpoint behind. Throws
-// scaling::InvalidInput for a checkpoint of another run.
+// With `resume` it goes on from its checkpoint if there is one. A finished run leaves no checkpoint
+// behind. Throws scaling::InvalidInput for a checkpoint of another run.
 PileOutcome run_pile(const PileTask&);
 
 // FNV-1a of bytes, 64 bits; chained through `start`.

@@ -6,7 +6,8 @@
 
 namespace app {
 
-// One line on standard error that is written over and over, on a terminal only, ten times a second at most.
+// One line on standard error that is written over and over, on a terminal only, ten times a second
+// at most.
 class Progress {
   public:
     explicit Progress(bool wanted);

@@ -5,7 +5,8 @@
 
 namespace app {
 
-// `scale CASE`: factors, groups, adhesion, scale number, cost. Exit 5 where the predicted adhesion makes no usable grain.
+// `scale CASE`: factors, groups, adhesion, scale number, cost. Exit 5 where the predicted adhesion
+// makes no usable grain.
 Verb scale_verb(CLI::App& app, const std::string& command);
 
 }  // namespace app

@@ -25,7 +25,8 @@ using scaling::ScaleInput;
 using scaling::ScaleMap;
 using scaling::Scheme;
 
-// Where each rig's characteristic length stands: the outlet of funnel or silo, else the base or what holds the grains.
+// Where each rig's characteristic length stands: the outlet of funnel or silo, else the base or
+// what holds the grains.
 struct Apparatus {
     const char *rig, *condition;
     double times;
@@ -171,7 +172,8 @@ void add_cost(ScaleInput& in, const Case& c, const Experiment* e, const ScaleOve
         in.heap_angle = in.stated.heap->angle;
         in.packing_fraction = in.stated.heap->packing_fraction;
     }
-    // What is said of a scaled run is timed on the scaled clock, which the case's own scaling turns back.
+    // What is said of a scaled run is timed on the scaled clock, which the case's own scaling turns
+    // back.
     if (in.stated.simulated_time && c.scaling) {
         const ScaleOverrides none;
         const ScaleMap own =

@@ -20,20 +20,22 @@ struct Verification {
         similarity;  // its first comparison is the one that is judged
 };
 
-// no: a check fails, bits differ, a control made wrong on purpose passes, or the first comparison is different. cannot tell: nothing fails, but that comparison has
-// the seeds for a claim and is not decided. With fewer seeds nothing is claimed of it, and nothing is held against it.
+// no: a check fails, bits differ, a control made wrong on purpose passes, or the first comparison
+// is different. cannot tell: nothing fails, but that comparison has the seeds for a claim and is
+// not decided. With fewer seeds nothing is claimed of it, and nothing is held against it.
 Verdict verdict_of(const Verification&);
 
 RunSection comparison_section(const verify::Comparison&);
 
-// One row per pair: scheme, h, grains, hash of either side, same or not. The first row is the heading; empty without pairs.
+// One row per pair: scheme, h, grains, hash of either side, same or not. The first row is the
+// heading; empty without pairs.
 TextTable bits_table(const Verification&);
 
-// "1.5708 +- 1e-12 (relative)" and the like, for one check.
+// "2e-6 of it" where relative, "1 ms" where absolute, "none" for zero.
 std::string tolerance_text(const verify::Check&);
 
-// checks: every one with expected, got, unit, tolerance, relative, reason, source, passed, the bits pairs among them;
-// comparisons: sides with every sample, quantities with intervals; findings.
+// checks: every one with expected, got, unit, tolerance, relative, reason, source, passed, the bits
+// pairs among them; comparisons: sides with every sample, quantities with intervals; findings.
 Json to_json(const Verification&);
 
 std::string text_of(const Verification&);

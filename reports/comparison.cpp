@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 
 namespace reports {
@@ -86,10 +87,16 @@ Figure interval_figure(const verify::Comparison& c, const verify::Quantity& q, c
 
 std::string side_text(const verify::Side& s) {
     return fmt::format(
-        "{}: d = {}, g = {}, E = {}, w = {}, F_po/(m g) = {}, E/(rho g d) = {}, {} seeds", s.label,
-        quantity(s.diameter, "m"), quantity(s.gravity, "m/s^2"), quantity(s.youngs_modulus, "Pa"),
-        quantity(s.work_of_adhesion, "J/m^2"), number(s.bond_number), number(s.elasticity),
-        s.samples.size());
+        "{}: d = {}, g = {}, E = {}, w = {}, F_po/(m g) = {}, E/(rho g d) = {}, {} seeds, of which "
+        "{} formed a heap by "
+        "every criterion (the others stand as a cake: docs/verify.md) and {} came to rest",
+        s.label, quantity(s.diameter, "m"), quantity(s.gravity, "m/s^2"),
+        quantity(s.youngs_modulus, "Pa"), quantity(s.work_of_adhesion, "J/m^2"),
+        number(s.bond_number), number(s.elasticity), s.samples.size(),
+        std::count_if(s.samples.begin(), s.samples.end(),
+                      [](const auto& sample) { return sample.formed; }),
+        std::count_if(s.samples.begin(), s.samples.end(),
+                      [](const auto& sample) { return sample.at_rest; }));
 }
 
 HeapGroup group_of(const verify::Side& side) {
@@ -102,7 +109,7 @@ HeapGroup group_of(const verify::Side& side) {
 Verdict verdict_of(const verify::Comparison& c) {
     const std::string why =
         fmt::format("compared: {}{}", c.what_differs,
-                    c.claims ? "" : "; too few seeds for a claim of equivalence at 95 % power");
+                    c.claims ? "" : "; a claim of equivalence at 95 % power needs more seeds");
     if (c.must_differ) {
         const bool seen = c.answer != verify::Answer::equivalent;
         return {seen ? Answer::yes : Answer::no,
@@ -117,7 +124,7 @@ Verdict verdict_of(const verify::Comparison& c) {
         case verify::Answer::different:
             return {Answer::no, "Different", why};
         case verify::Answer::not_decided:
-            return {Answer::cannot_tell, "Not decided", why};
+            return {Answer::cannot_tell, c.claims ? "Not decided" : "Too few seeds to decide", why};
     }
     return {};
 }

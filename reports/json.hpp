@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Results as JSON: keys in a fixed order, numbers in SI with the digits that give the same double again. What is not known
-// is null and has its reason beside it; no NaN and no infinity is ever written.
+// Results as JSON: keys in a fixed order, numbers in SI with the digits that give the same double
+// again. What is not known is null and has its reason beside it; no NaN and no infinity is ever
+// written.
 #pragma once
 
 #include "reports/provenance.hpp"
@@ -17,14 +18,15 @@ namespace reports {
 
 using Json = nlohmann::ordered_json;
 
-// scheme, h, softening, factors, groups, adhesion, scale_number, cost, findings. What belongs to the powder itself stands
-// under "original", what belongs to the simulated one under "scaled".
+// scheme, h, softening, factors, groups, adhesion, scale_number, cost, findings. What belongs to
+// the powder itself stands under "original", what belongs to the simulated one under "scaled".
 Json to_json(const scaling::ScaleStudy&);
 
 // A list of name, value, rule, judgement, text.
 Json to_json(const std::vector<scaling::Finding>&);
 
-// angles (rad, by estimator), packing_fraction, coordination, formed with its criteria, counts, the hash of the final state.
+// angles (rad, by estimator), packing_fraction, coordination, formed with its criteria, counts, the
+// hash of the final state.
 Json to_json(const rigs::PileRecord&);
 
 // settled and when, impacts, steps.

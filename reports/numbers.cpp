@@ -80,7 +80,8 @@ std::pair<std::size_t, const char*> relation(const std::string& text, std::size_
     return {0, nullptr};
 }
 
-// A Greek letter spelled out as a word of its own: how many characters, and the letter; nullptr for none.
+// A Greek letter spelled out as a word of its own: how many characters, and the letter; nullptr for
+// none.
 std::pair<std::size_t, const char*> greek(const std::string& text, std::size_t at) {
     static constexpr std::array<std::pair<std::string_view, const char*>, 8> letters{
         {{"rho", "\u03c1"},
@@ -101,7 +102,8 @@ std::pair<std::size_t, const char*> greek(const std::string& text, std::size_t a
     return {0, nullptr};
 }
 
-// What stands below the line behind a one-letter symbol that ends before `at`: "po" of F_po; "" for none.
+// What stands below the line behind a one-letter symbol that ends before `at`: "po" of F_po; "" for
+// none.
 std::string lowered(const std::string& text, std::size_t at, bool symbol) {
     if (!symbol || at >= text.size() || text[at] != '_') return "";
     std::size_t end = at + 1;
@@ -219,7 +221,11 @@ std::string typeset(const std::string& text) {
             }
         }
         if (exponent_mark(text, at)) {
-            out += fmt::format("\u00d710<sup>{}</sup>", std::atoi(text.c_str() + at + 1));
+            const bool one =
+                text[at - 1] == '1' && (at == 1 || (!word(text[at - 2]) && text[at - 2] != '.'));
+            if (one) out.pop_back();  // 1e5 is 10^5
+            out += fmt::format("{}10<sup>{}</sup>", one ? "" : "\u00d7",
+                               std::atoi(text.c_str() + at + 1));
             at = end_of_exponent(text, at + 1);
             continue;
         }

@@ -9,10 +9,12 @@
 
 namespace reports {
 
-// Four significant digits: "14.14", "0.005", "1.25e8"; "not a number" never: a value that is not finite reads "none".
+// Four significant digits: "14.14", "0.005", "1.25e8"; "not a number" never: a value that is not
+// finite reads "none".
 std::string number(double value);
 
-// Four significant digits with a prefix: "1.2 um", "85.71 MPa", "2.5 h". Seconds from two minutes on become min, h, d, years.
+// Four significant digits with a prefix: "1.2 um", "85.71 MPa", "2.5 h". Seconds from two minutes
+// on become min, h, d, years.
 std::string quantity(double value, const std::string& si_unit);
 
 std::string degrees(
@@ -21,8 +23,9 @@ std::string degrees(
 // A count for people: "1 500", "2.4e9".
 std::string count(double value);
 
-// Text as HTML: &, <, > and " escaped, a^2 and a^(1/2) raised, 1.2e-6 as 1.2 x 10 raised to -6, um as the micro sign,
-// >=, <= and +- as one sign each, Greek letters as such, F_po with what follows below the line.
+// Text as HTML: &, <, > and " escaped, a^2 and a^(1/2) raised, 1.2e-6 as 1.2 x 10 raised to -6, um
+// as the micro sign, >=, <= and +- as one sign each, Greek letters as such, F_po with what follows
+// below the line.
 std::string typeset(const std::string& text);
 
 // The same text with exponents in their shortest form, 1e+05 as 1e5.

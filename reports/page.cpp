@@ -50,11 +50,15 @@ std::vector<RunSection> runs_of(const Page& page) {
     const std::size_t first = all.size();
     for (const verify::Comparison& c : similarity.comparisons) all.push_back(comparison_section(c));
     if (all.size() == first) return all;
+    std::string beyond;
     for (const scaling::Finding& f : similarity.findings)
         if (f.judgement != scaling::Judgement::fine)
-            all[first].notes.push_back(fmt::format("{}: {} = {} ({}), {}",
-                                                   scaling::to_string(f.judgement), words(f.name),
-                                                   number(f.value), f.rule, f.text));
+            beyond += fmt::format("{}{} = {} ({})", beyond.empty() ? "" : "; ", words(f.name),
+                                  number(f.value), f.rule);
+    if (!beyond.empty())
+        all[first].notes.push_back(
+            "On both sides alike, these softened grains lie outside the usual rules: " + beyond +
+            ".");
     return all;
 }
 

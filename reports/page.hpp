@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One self-contained HTML page: opens from an e-mail, prints, needs neither script nor network. Verdict first; a section
-// whose part is empty is left out.
+// One self-contained HTML page: opens from an e-mail, prints, needs neither script nor network.
+// Verdict first; a section whose part is empty is left out.
 #pragma once
 
 #include "reports/checks.hpp"

@@ -22,7 +22,8 @@ void set_list(data& object, const std::string& name, data list);
 const char* class_of(scaling::Judgement);
 const char* class_of(Answer);
 
-// Factors, groups, adhesion, cost, findings; `beside`: another study of the same case, whose groups are shown along.
+// Factors, groups, adhesion, cost, findings; `beside`: another study of the same case, whose groups
+// are shown along.
 data scale_part(const scaling::ScaleStudy&, const std::optional<scaling::ScaleStudy>& beside);
 
 data runs_part(const std::vector<RunSection>&);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Runs of the rigs as sections of a report: what came of it in words, one figure, a table of what was measured.
+// Runs of the rigs as sections of a report: what came of it in words, one figure, a table of what
+// was measured.
 #pragma once
 
 #include "cases/csv.hpp"
@@ -13,8 +14,8 @@
 
 namespace reports {
 
-// Cells of a table as plain text; the first row is the heading. The first and the last column are words, what stands between
-// them numbers. Shape [rows][columns].
+// Cells of a table as plain text; the first row is the heading. The first and the last column are
+// words, what stands between them numbers. Shape [rows][columns].
 using TextTable = std::vector<std::vector<std::string>>;
 
 struct Figure {
@@ -41,11 +42,13 @@ struct HeapGroup {
     std::vector<HeapProfile> profiles;
 };
 
-// Mean of each group as a line and, of two seeds and more, lowest to highest as a band. Groups with other radii than their
-// first profile's are read off by straight lines between points. Empty without a profile.
+// Mean of each group as a line and, of two seeds and more, lowest to highest as a band. Groups with
+// other radii than their first profile's are read off by straight lines between points. Empty
+// without a profile.
 Figure profile_figure(const std::vector<HeapGroup>&, const std::string& id);
 
-// One finished run of the rig `pile`: angle by every estimator, whether a heap formed, packing, coordination.
+// One finished run of the rig `pile`: angle by every estimator, whether a heap formed, packing,
+// coordination.
 RunSection pile_section(const std::string& name, const rigs::PileRecord&);
 
 // One run of the rig `drop`, with the recording's points where there is one.

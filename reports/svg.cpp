@@ -21,7 +21,8 @@ constexpr double tallest = 430.0, usual = 320.0, character = 7.2, legend_line = 
 struct Style {
     const char *colour, *dash;
 };
-// Okabe & Ito (2008): blue, vermilion, green, purple. The class lets a page choose lighter ones on a dark ground.
+// Okabe & Ito (2008): blue, vermilion, green, purple. The class lets a page choose lighter ones on
+// a dark ground.
 constexpr std::array<Style, 4> styles{
     {{"#0072B2", ""}, {"#D55E00", "7 4"}, {"#009E73", "2 3"}, {"#CC79A7", "9 3 2 3"}}};
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Line plots as SVG text: no script, no font file, no network; readable in black and white, since every style has its own
-// dash and marker beside its colour (Okabe & Ito's set). Axis lines take the colour of the text around them.
+// Line plots as SVG text: no script, no font file, no network; readable in black and white, since
+// every style has its own dash and marker beside its colour (Okabe & Ito's set). Axis lines take
+// the colour of the text around them.
 #pragma once
 
 #include <optional>
@@ -16,7 +17,8 @@ struct Axis {
         std::nullopt;  // low < high; left out: that of the data
 };
 
-// One line, or markers where `marked`; points that are not finite interrupt it. Shape of x, y: [points].
+// One line, or markers where `marked`; points that are not finite interrupt it. Shape of x, y:
+// [points].
 struct Curve {
     std::vector<double> x, y;
     int style = 0;           // 0 to 3: colour, dash and marker
@@ -40,7 +42,8 @@ struct Plot {
     bool equal_scale = false;  // one unit is as long on y as on x
 };
 
-// A whole <svg> element, 720 units wide. An empty plot is an empty string. `id` must be unique on its page.
+// A whole <svg> element, 720 units wide. An empty plot is an empty string. `id` must be unique on
+// its page.
 std::string svg(const Plot&, const std::string& id);
 
 // Steps of 1, 2 or 5 times a power of ten inside [low, high], `most` at most; low < high.

@@ -12,8 +12,8 @@ namespace reports {
 // The whole study: verdict, factors, groups, adhesion with its findings, cost, what does not fit.
 std::string text_of(const scaling::ScaleStudy&);
 
-// Columns as wide as they need, two spaces apart; the first row is the heading. Shape [rows][columns]; `right` says
-// which columns line up on the right, shape [columns].
+// Columns as wide as they need, two spaces apart; the first row is the heading. Shape
+// [rows][columns]; `right` says which columns line up on the right, shape [columns].
 std::string columns(const std::vector<std::vector<std::string>>& rows,
                     const std::vector<bool>& right);
 

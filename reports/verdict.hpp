@@ -18,7 +18,8 @@ struct Verdict {
     std::string why;       // one sentence
 };
 
-// yes: every group is kept; no: groups break; outside validity: the predicted adhesion makes no usable grain.
+// yes: every group is kept; no: groups break; outside validity: the predicted adhesion makes no
+// usable grain.
 Verdict verdict_of(const scaling::ScaleStudy&);
 
 }  // namespace reports

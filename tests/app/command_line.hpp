@@ -30,11 +30,12 @@ class Folder {
     std::filesystem::path path_;
 };
 
-// Runs the program with these arguments, each as it is, without a shell. With `interrupt_after` > 0 it gets SIGINT that many
-// milliseconds after its start.
+// Runs the program with these arguments, each as it is, without a shell. With `interrupt_after` > 0
+// it gets SIGINT that many milliseconds after its start.
 Outcome similitude(const std::vector<std::string>& arguments, int interrupt_after = 0);
 
 std::string contents(const std::string& path);
 
-// A case of 300 adhesive grains on a base of ten diameters, with `old` replaced by `by` where it stands.
+// A case of 300 adhesive grains on a base of ten diameters, with `old` replaced by `by` where it
+// stands.
 std::string tiny_case(const std::string& old = "", const std::string& by = "");

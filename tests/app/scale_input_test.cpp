@@ -26,7 +26,8 @@ TEST_CASE(
     "scale input: adhesion calibrated at one scale is carried back before another scale is asked "
     "for",
     "[app][scale]") {
-    // 0.38 J/m^2 at h = 200 by grain weights is 0.38/200^2 for the real grain, whatever h is tried next.
+    // 0.38 J/m^2 at h = 200 by grain weights is 0.38/200^2 for the real grain, whatever h is tried
+    // next.
     ScaleOverrides o;
     o.h = 50.0;
     const scaling::ScaleInput in = app::scale_input(cases::read_case("data/zirconia/case.json"), o);

@@ -54,7 +54,8 @@ TEST_CASE("scale: the paper's powder under its own scheme has every key that the
 }
 
 TEST_CASE("scale: the exponents of Table 2 come out under the exact scheme", "[app][scale]") {
-    // Niu et al. (2026), Table 2: length, time h; density, velocity, stress, strain, moduli 1; mass, energy h^3; force h^2.
+    // Niu et al. (2026), Table 2: length, time h; density, velocity, stress, strain, moduli 1;
+    // mass, energy h^3; force h^2.
     const Json j = scale({"--scheme", "exact"});
     const std::vector<std::pair<const char*, const char*>> table = {
         {"length", "1"},         {"density", "0"},       {"time", "1"},
@@ -71,7 +72,8 @@ TEST_CASE("scale: the exponents of Table 2 come out under the exact scheme", "[a
 }
 
 TEST_CASE("scale: the invariant decides the exponent of adhesion", "[app][scale]") {
-    // F_po/(m g) ~ w/(rho g d^2): h^2; with the apparatus kept sigma = rho g D stays and F_po/(sigma R^2) ~ w/d: h.
+    // F_po/(m g) ~ w/(rho g d^2): h^2; with the apparatus kept sigma = rho g D stays and
+    // F_po/(sigma R^2) ~ w/d: h.
     CHECK(exponent(scale({"--invariant", "weight_bond"}), "work_of_adhesion") == "2");
     CHECK(exponent(scale({"--invariant", "stress_bond"}), "work_of_adhesion") == "1");
     CHECK(exponent(scale({"--invariant", "cohesion_number"}), "work_of_adhesion") == "8/5");
@@ -92,7 +94,8 @@ TEST_CASE(
     "scale: 30 mJ/m^2 carried to h = 200 by grain weights makes no usable grain, and the program "
     "says so",
     "[app][scale]") {
-    // 0.03 * 200^2 = 1200 J/m^2 per surface; zero-load neck a0/R = (9 pi w / (8 E* R))^(1/3) = 0.94.
+    // 0.03 * 200^2 = 1200 J/m^2 per surface; zero-load neck a0/R = (9 pi w / (8 E* R))^(1/3) =
+    // 0.94.
     const Outcome o = similitude(
         {"scale", zirconia, "--surface-energy", "30 mJ/m^2", "--of", "original", "--json", "-"});
     CHECK(o.code == 5);

@@ -78,7 +78,8 @@ TEST_CASE("comparison: means, intervals and the seeds behind them are told for b
           "[reports]") {
     const RunSection s = comparison_section(cone_verification().similarity->comparisons[0]);
     REQUIRE(s.quantities.size() == 4);
-    // Three values 29, 30, 31: standard error 1/sqrt(3), t_{0.975, 2} = 4.3027 (tables), so 30 +- 2.484.
+    // Three values 29, 30, 31: standard error 1/sqrt(3), t_{0.975, 2} = 4.3027 (tables), so 30 +-
+    // 2.484.
     CHECK(s.quantities[1][1] == "30 [27.52, 32.48]");
     CHECK(s.intervals.size() == 3);
     CHECK(times_in(s.figure.svg, "scaled, d = 240 \u00b5m") == 1);

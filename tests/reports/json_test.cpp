@@ -20,7 +20,8 @@ TEST_CASE("json: the study has the keys of its format in their order", "[reports
 }
 
 TEST_CASE("json: Feng and Owen's exponents stand as exact fractions", "[reports][json]") {
-    // Length and time as h with density kept: force h^2, energy h^3, velocity and stress 1, acceleration 1/h, by dimension alone.
+    // Length and time as h with density kept: force h^2, energy h^3, velocity and stress 1,
+    // acceleration 1/h, by dimension alone.
     const Json factors = reports::to_json(zirconia_study("exact")).at("factors");
     const std::vector<std::pair<const char*, const char*>> expected = {
         {"length", "1"},         {"density", "0"},  {"time", "1"},   {"velocity", "0"},

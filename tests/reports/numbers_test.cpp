@@ -52,6 +52,7 @@ TEST_CASE("numbers: exponents are raised, signs joined and markup made harmless"
     CHECK(typeset("(R* w^(-1/2))") == "(R* w<sup>-1/2</sup>)");
     CHECK(typeset("1.2e-6") == "1.2\u00d710<sup>-6</sup>");
     CHECK(typeset("3e+05 grains") == "3\u00d710<sup>5</sup> grains");
+    CHECK(typeset("1e-12, 11e5") == "10<sup>-12</sup>, 11\u00d710<sup>5</sup>");
     CHECK(typeset("1.2 um") == "1.2 \u00b5m");
     CHECK(typeset(">= 5 +- 1") == "\u2265 5 \u00b1 1");
     CHECK(typeset("<b>&\"") == "&lt;b&gt;&amp;&quot;");

@@ -32,7 +32,8 @@ Page whole_page() {
     return page;
 }
 
-// The page without style sheet and embedded data, so that words are looked for where a reader sees them.
+// The page without style sheet and embedded data, so that words are looked for where a reader sees
+// them.
 std::string visible(const std::string& text) {
     std::string out = text.substr(text.find("<body>"));
     return out.substr(0, out.find("<script"));
