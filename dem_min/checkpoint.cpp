@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "dem_min/checkpoint.hpp"
 
+#include "scaling/errors.hpp"
+
 #include <cstdint>
 #include <fstream>
 #include <stdexcept>
 #include <type_traits>
 
-#include "scaling/errors.hpp"
-
 namespace dem_min {
 namespace {
 
-constexpr std::uint64_t format = 0x73696d696c2f3031;  // "simil/01": raise the last digit when the layout changes
+constexpr std::uint64_t format =
+    0x73696d696c2f3031;  // "simil/01": raise the last digit when the layout changes
 
 struct Writer {
     std::ofstream& out;
@@ -24,7 +25,8 @@ struct Writer {
     void operator()(std::vector<T>& values) {
         std::uint64_t size = values.size();
         (*this)(size);
-        out.write(reinterpret_cast<const char*>(values.data()), static_cast<std::streamsize>(size * sizeof(T)));
+        out.write(reinterpret_cast<const char*>(values.data()),
+                  static_cast<std::streamsize>(size * sizeof(T)));
     }
 };
 
@@ -44,7 +46,8 @@ struct Reader {
             return;
         }
         values.resize(size);
-        in.read(reinterpret_cast<char*>(values.data()), static_cast<std::streamsize>(size * sizeof(T)));
+        in.read(reinterpret_cast<char*>(values.data()),
+                static_cast<std::streamsize>(size * sizeof(T)));
     }
 };
 
@@ -76,7 +79,8 @@ void write_checkpoint(const Simulation& simulation, const std::filesystem::path&
         write(mark);
         visit(const_cast<Simulation&>(simulation), write);  // Writer only reads
         write(mark);
-        if (!out.flush()) throw std::runtime_error(unfinished.string() + ": cannot be written (disk full?)");
+        if (!out.flush())
+            throw std::runtime_error(unfinished.string() + ": cannot be written (disk full?)");
     }
     std::filesystem::rename(unfinished, file);
 }
@@ -92,7 +96,8 @@ void read_checkpoint(Simulation& simulation, const std::filesystem::path& file) 
         reader(last);
     }
     if (!in || first != format || last != format)
-        throw scaling::InvalidInput(scaling::mistake(file.string(), "no whole checkpoint", "must be one of this version",
+        throw scaling::InvalidInput(scaling::mistake(file.string(), "no whole checkpoint",
+                                                     "must be one of this version",
                                                      "delete it to start the run anew"));
     read.neighbours.stale = true;
     simulation = std::move(read);

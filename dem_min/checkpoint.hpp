@@ -4,9 +4,9 @@
 // was never interrupted (the neighbour list is made anew, which changes no force).
 #pragma once
 
-#include <filesystem>
-
 #include "dem_min/simulation.hpp"
+
+#include <filesystem>
 
 namespace dem_min {
 

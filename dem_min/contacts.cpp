@@ -12,12 +12,45 @@ Dissipation& Dissipation::operator+=(const Dissipation& other) {
 }
 
 std::array<std::vector<double>*, 35> Contacts::arrays() {
-    return {&r_i, &r_j, &r_star, &m_star, &length_scale, &inverse_inertia_i, &inverse_inertia_j, &tear_off_overlap,
-            &sx, &sy, &sz, &rx, &ry, &rz, &twist, &previous_radius, &overlap, &nx, &ny, &nz, &dashpot, &fx, &fy, &fz, &tix, &tiy, &tiz, &tjx, &tjy, &tjz,
-            &heat_normal, &heat_tangential, &heat_rolling, &stored_tangential, &stored_rolling};
+    return {&r_i,
+            &r_j,
+            &r_star,
+            &m_star,
+            &length_scale,
+            &inverse_inertia_i,
+            &inverse_inertia_j,
+            &tear_off_overlap,
+            &sx,
+            &sy,
+            &sz,
+            &rx,
+            &ry,
+            &rz,
+            &twist,
+            &previous_radius,
+            &overlap,
+            &nx,
+            &ny,
+            &nz,
+            &dashpot,
+            &fx,
+            &fy,
+            &fz,
+            &tix,
+            &tiy,
+            &tiz,
+            &tjx,
+            &tjy,
+            &tjz,
+            &heat_normal,
+            &heat_tangential,
+            &heat_rolling,
+            &stored_tangential,
+            &stored_rolling};
 }
 
-void Contacts::add(int grain_i, int partner_j, int candidate_index, const ContactConstants& constants) {
+void Contacts::add(int grain_i, int partner_j, int candidate_index,
+                   const ContactConstants& constants) {
     i.push_back(grain_i);
     j.push_back(partner_j);
     candidate.push_back(candidate_index);

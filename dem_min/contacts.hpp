@@ -3,11 +3,11 @@
 // it ends; then the last one moves into the gap. No sum depends on the order of slots: see Incidence in neighbours.hpp.
 #pragma once
 
+#include "contact/vec3.hpp"
+
 #include <array>
 #include <cstddef>
 #include <vector>
-
-#include "contact/vec3.hpp"
 
 namespace dem_min {
 
@@ -32,16 +32,19 @@ struct Dissipation {
 
 struct Contacts {
     std::vector<int> i, j;  // grains; in the list of wall contacts j is the wall
-    std::vector<int> candidate;  // its place in the neighbour list; -1: beyond the reach of the list, about to end
-    std::vector<double> r_i, r_j, r_star, m_star, length_scale, inverse_inertia_i, inverse_inertia_j, tear_off_overlap;
+    std::vector<int>
+        candidate;  // its place in the neighbour list; -1: beyond the reach of the list, about to end
+    std::vector<double> r_i, r_j, r_star, m_star, length_scale, inverse_inertia_i,
+        inverse_inertia_j, tear_off_overlap;
     // History: tangential spring (m), rolling spring (rad or m, as the law says), twist (rad), contact radius of the last step (m).
     std::vector<double> sx, sy, sz, rx, ry, rz, twist, previous_radius;
-    std::vector<double> overlap;                              // m, of the last force evaluation
-    std::vector<double> nx, ny, nz, dashpot;                  // unit normal; N, normal damping force; both likewise
-    std::vector<double> fx, fy, fz;                           // N, on j
-    std::vector<double> tix, tiy, tiz, tjx, tjy, tjz;         // N m
+    std::vector<double> overlap;              // m, of the last force evaluation
+    std::vector<double> nx, ny, nz, dashpot;  // unit normal; N, normal damping force; both likewise
+    std::vector<double> fx, fy, fz;           // N, on j
+    std::vector<double> tix, tiy, tiz, tjx, tjy, tjz;                // N m
     std::vector<double> heat_normal, heat_tangential, heat_rolling;  // J, sums since birth
-    std::vector<double> stored_tangential, stored_rolling;    // J; rolling includes twisting, in heat too
+    std::vector<double> stored_tangential,
+        stored_rolling;  // J; rolling includes twisting, in heat too
 
     std::size_t count() const { return i.size(); }
     void add(int grain_i, int partner_j, int candidate_index, const ContactConstants&);

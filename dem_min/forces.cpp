@@ -33,7 +33,9 @@ double kinetic_energy(const Particles& p, std::size_t k) {
 
 double stored_energy(const Laws& laws, const Contacts& c, std::size_t slot) {
     return std::visit(
-               [&](const auto& law) { return law.energy(c.r_star[slot], c.length_scale[slot], c.overlap[slot]); },
+               [&](const auto& law) {
+                   return law.energy(c.r_star[slot], c.length_scale[slot], c.overlap[slot]);
+               },
                laws.normal) +
            c.stored_tangential[slot] + c.stored_rolling[slot];
 }
@@ -44,7 +46,9 @@ Dissipation heat_so_far(const Contacts& c, std::size_t slot) {
 
 ContactConstants pair_constants(const Simulation& s, std::size_t i, std::size_t j) {
     const Particles& p = s.grains;
-    const auto heaviness = [&](std::size_t k) { return p.fixed(k) ? contact::wall_mass : p.mass[k]; };
+    const auto heaviness = [&](std::size_t k) {
+        return p.fixed(k) ? contact::wall_mass : p.mass[k];
+    };
     const double m_star = contact::m_star(heaviness(i), heaviness(j));
     return constants(s.between_grains, contact::r_star(p.radius[i], p.radius[j]),
                      {.r_i = p.radius[i],
@@ -117,7 +121,8 @@ void gather_and_kick(Simulation& s) {
                                : Vec3{pairs.tix[c], pairs.tiy[c], pairs.tiz[c]});
         }
         for (int at = of_walls.begin[k]; at < of_walls.begin[k + 1]; ++at) {
-            const auto c = static_cast<std::size_t>(of_walls.entry[static_cast<std::size_t>(at)] / 2);
+            const auto c =
+                static_cast<std::size_t>(of_walls.entry[static_cast<std::size_t>(at)] / 2);
             f = f - Vec3{walls.fx[c], walls.fy[c], walls.fz[c]};
             t = t + Vec3{walls.tix[c], walls.tiy[c], walls.tiz[c]};
         }
@@ -130,20 +135,24 @@ void gather_and_kick(Simulation& s) {
     }
 }
 
-void end_contact(Past& past, const Laws& laws, Contacts& c, std::size_t slot, CandidateList* list, bool with_ledger) {
+void end_contact(Past& past, const Laws& laws, Contacts& c, std::size_t slot, CandidateList* list,
+                 bool with_ledger) {
     if (with_ledger) {
         past.heat += heat_so_far(c, slot);
         past.heat.tangential += c.stored_tangential[slot];
         past.heat.rolling += c.stored_rolling[slot];
         // The work that the pair did against adhesion between touch and tear-off, never given back.
         past.heat.tear_off += std::visit(
-            [&](const auto& law) { return law.energy(c.r_star[slot], c.length_scale[slot], c.tear_off_overlap[slot]); },
+            [&](const auto& law) {
+                return law.energy(c.r_star[slot], c.length_scale[slot], c.tear_off_overlap[slot]);
+            },
             laws.normal);
     }
     if (list != nullptr) {
         const int own = c.candidate[slot], of_last = c.candidate.back();
         if (own >= 0) list->slot[static_cast<std::size_t>(own)] = -1;
-        if (of_last >= 0 && of_last != own) list->slot[static_cast<std::size_t>(of_last)] = static_cast<int>(slot);
+        if (of_last >= 0 && of_last != own)
+            list->slot[static_cast<std::size_t>(of_last)] = static_cast<int>(slot);
     }
     c.remove(slot);
 }
@@ -164,7 +173,8 @@ void remove_lost(Simulation& s) {
         const bool grains_only = contacts == &s.pairs;
         const Laws& laws = grains_only ? s.between_grains : s.at_walls;
         for (std::size_t slot = contacts->count(); slot-- > 0;) {
-            const auto i = static_cast<std::size_t>(contacts->i[slot]), j = static_cast<std::size_t>(contacts->j[slot]);
+            const auto i = static_cast<std::size_t>(contacts->i[slot]),
+                       j = static_cast<std::size_t>(contacts->j[slot]);
             if (!keep[i] || (grains_only && !keep[j])) {
                 if (s.settings.ledger) {
                     s.past.carried_away += stored_energy(laws, *contacts, slot);

@@ -3,10 +3,6 @@
 // (blocks of contacts, the all-pairs reference, walls) calls `evaluate`, so that they give the same bits.
 #pragma once
 
-#include <cmath>
-#include <type_traits>
-#include <variant>
-
 #include "contact/concepts.hpp"
 #include "contact/coulomb.hpp"
 #include "contact/damping_tsuji1992.hpp"
@@ -22,6 +18,10 @@
 #include "contact/twisting_marshall2009.hpp"
 #include "dem_min/contacts.hpp"
 
+#include <cmath>
+#include <type_traits>
+#include <variant>
+
 namespace dem_min {
 
 template <contact::NormalLaw Normal, contact::TangentialLaw Tangential, contact::RollingLaw Rolling>
@@ -36,8 +36,8 @@ struct Interaction {
 
 using AnyNormal = std::variant<contact::Hertz, contact::Jkr>;
 using AnyTangential = std::variant<contact::Mindlin, contact::Coulomb>;
-using AnyRolling = std::variant<contact::NoRolling, contact::RollingEpsd, contact::RollingSds, contact::RollingRvd,
-                                contact::RollingEdemStandard>;
+using AnyRolling = std::variant<contact::NoRolling, contact::RollingEpsd, contact::RollingSds,
+                                contact::RollingRvd, contact::RollingEdemStandard>;
 
 // The laws of one kind of contact, chosen at run time; the loops take the typed Interaction that `with_laws` makes of it.
 struct Laws {
@@ -54,9 +54,11 @@ decltype(auto) with_laws(const Laws& laws, Function&& function) {
     return std::visit(
         [&](const auto& normal, const auto& tangential, const auto& rolling) {
             // Spelt out: clang 14 does not deduce the arguments of an aggregate.
-            using Typed = Interaction<std::decay_t<decltype(normal)>, std::decay_t<decltype(tangential)>,
-                                      std::decay_t<decltype(rolling)>>;
-            return function(Typed{normal, tangential, rolling, laws.damping, laws.friction_cap, laws.twisting});
+            using Typed =
+                Interaction<std::decay_t<decltype(normal)>, std::decay_t<decltype(tangential)>,
+                            std::decay_t<decltype(rolling)>>;
+            return function(
+                Typed{normal, tangential, rolling, laws.damping, laws.friction_cap, laws.twisting});
         },
         laws.normal, laws.tangential, laws.rolling);
 }
@@ -64,10 +66,10 @@ decltype(auto) with_laws(const Laws& laws, Function&& function) {
 // Motion of one contact; n, signs and slip as in contact/concepts.hpp.
 struct Motion {
     Vec3 n;
-    double overlap;         // m
-    double approach_speed;  // m/s
-    Vec3 slip_velocity;     // m/s
-    Vec3 spin_i, spin_j;    // rad/s
+    double overlap;           // m
+    double approach_speed;    // m/s
+    Vec3 slip_velocity;       // m/s
+    Vec3 spin_i, spin_j;      // rad/s
     double lever_i, lever_j;  // m, from the centre to the contact, half of the overlap taken off
 };
 
@@ -87,25 +89,24 @@ struct Load {
 };
 
 template <class Normal, class Tangential, class Rolling>
-inline Load evaluate(const Interaction<Normal, Tangential, Rolling>& law, const ContactConstants& c, const Motion& m,
-                     const History& h, double dt) {
+inline Load evaluate(const Interaction<Normal, Tangential, Rolling>& law, const ContactConstants& c,
+                     const Motion& m, const History& h, double dt) {
     const contact::NormalState elastic = law.normal.at(c.r_star, c.length_scale, m.overlap);
     const double a = elastic.contact_radius;
     const double normal_damping = law.damping.normal(law.normal.e_star, a, c.m_star);
     const double dashpot = normal_damping * m.approach_speed;
     const double repulsive = contact::repulsive_force(law.normal.e_star, c.r_star, a);
-    const double cap = contact::cap_force(law.friction_cap, elastic.force, dashpot, law.normal.pull_off_force(c.r_star),
-                                          repulsive);
-    const contact::TangentialState slip =
-        law.tangential.step({.spring = h.tangential_spring,
-                             .previous_radius = h.previous_radius,
-                             .contact_radius = a,
-                             .n = m.n,
-                             .slip_velocity = m.slip_velocity,
-                             .cap_force = cap,
-                             .damping_factor = law.damping.factor,
-                             .m_star = c.m_star,
-                             .dt = dt});
+    const double cap = contact::cap_force(law.friction_cap, elastic.force, dashpot,
+                                          law.normal.pull_off_force(c.r_star), repulsive);
+    const contact::TangentialState slip = law.tangential.step({.spring = h.tangential_spring,
+                                                               .previous_radius = h.previous_radius,
+                                                               .contact_radius = a,
+                                                               .n = m.n,
+                                                               .slip_velocity = m.slip_velocity,
+                                                               .cap_force = cap,
+                                                               .damping_factor = law.damping.factor,
+                                                               .m_star = c.m_star,
+                                                               .dt = dt});
     const contact::RollingState roll = law.rolling.step({.spring = h.rolling_spring,
                                                          .n = m.n,
                                                          .spin_i = m.spin_i,
@@ -120,14 +121,15 @@ inline Load evaluate(const Interaction<Normal, Tangential, Rolling>& law, const 
                                                          .contact_radius = a,
                                                          .cap_force = cap,
                                                          .dt = dt});
-    const contact::TwistingState twist = law.twisting.step({.angle = h.twist,
-                                                            .previous_radius = h.previous_radius,
-                                                            .contact_radius = a,
-                                                            .spin = contact::dot(m.spin_j - m.spin_i, m.n),
-                                                            .cap_force = cap,
-                                                            .damping_factor = law.damping.factor,
-                                                            .m_star = c.m_star,
-                                                            .dt = dt});
+    const contact::TwistingState twist =
+        law.twisting.step({.angle = h.twist,
+                           .previous_radius = h.previous_radius,
+                           .contact_radius = a,
+                           .spin = contact::dot(m.spin_j - m.spin_i, m.n),
+                           .cap_force = cap,
+                           .damping_factor = law.damping.factor,
+                           .m_star = c.m_star,
+                           .dt = dt});
     const Vec3 moment = contact::cross(m.n, slip.force_on_j), screw = twist.torque_on_j * m.n;
     return {.force_on_j = (elastic.force + dashpot) * m.n + slip.force_on_j,
             .torque_on_i = roll.torque_on_i - screw - m.lever_i * moment,

@@ -6,21 +6,50 @@ namespace {
 
 // Where a block of contacts stands in memory. Raw pointers, so that the loop below sees that nothing moves.
 struct Slots {
-    const double *r_i, *r_j, *r_star, *m_star, *length_scale, *inverse_inertia_i, *inverse_inertia_j, *tear_off_overlap;
-    double *sx, *sy, *sz, *rx, *ry, *rz, *twist, *previous_radius, *overlap, *nx, *ny, *nz, *dashpot;
+    const double *r_i, *r_j, *r_star, *m_star, *length_scale, *inverse_inertia_i,
+        *inverse_inertia_j, *tear_off_overlap;
+    double *sx, *sy, *sz, *rx, *ry, *rz, *twist, *previous_radius, *overlap, *nx, *ny, *nz,
+        *dashpot;
     double *fx, *fy, *fz, *tix, *tiy, *tiz, *tjx, *tjy, *tjz;
     double *heat_normal, *heat_tangential, *heat_rolling, *stored_tangential, *stored_rolling;
 };
 
 Slots slots(Contacts& c, std::size_t first) {
-    return {&c.r_i[first],         &c.r_j[first],          &c.r_star[first],          &c.m_star[first],
-            &c.length_scale[first], &c.inverse_inertia_i[first], &c.inverse_inertia_j[first], &c.tear_off_overlap[first],
-            &c.sx[first],          &c.sy[first],           &c.sz[first],              &c.rx[first],
-            &c.ry[first],          &c.rz[first], &c.twist[first], &c.previous_radius[first], &c.overlap[first], &c.nx[first], &c.ny[first], &c.nz[first], &c.dashpot[first],
-            &c.fx[first],          &c.fy[first],           &c.fz[first],              &c.tix[first],
-            &c.tiy[first],         &c.tiz[first],          &c.tjx[first],             &c.tjy[first],
-            &c.tjz[first],         &c.heat_normal[first],  &c.heat_tangential[first], &c.heat_rolling[first],
-            &c.stored_tangential[first], &c.stored_rolling[first]};
+    return {&c.r_i[first],
+            &c.r_j[first],
+            &c.r_star[first],
+            &c.m_star[first],
+            &c.length_scale[first],
+            &c.inverse_inertia_i[first],
+            &c.inverse_inertia_j[first],
+            &c.tear_off_overlap[first],
+            &c.sx[first],
+            &c.sy[first],
+            &c.sz[first],
+            &c.rx[first],
+            &c.ry[first],
+            &c.rz[first],
+            &c.twist[first],
+            &c.previous_radius[first],
+            &c.overlap[first],
+            &c.nx[first],
+            &c.ny[first],
+            &c.nz[first],
+            &c.dashpot[first],
+            &c.fx[first],
+            &c.fy[first],
+            &c.fz[first],
+            &c.tix[first],
+            &c.tiy[first],
+            &c.tiz[first],
+            &c.tjx[first],
+            &c.tjy[first],
+            &c.tjz[first],
+            &c.heat_normal[first],
+            &c.heat_tangential[first],
+            &c.heat_rolling[first],
+            &c.stored_tangential[first],
+            &c.stored_rolling[first]};
 }
 
 // What resists sliding and rolling, taken out of the loads of a contact with normal `n`.
@@ -29,7 +58,8 @@ struct Resistance {
     Vec3 rolling_i, rolling_j;  // N m
 };
 
-inline Resistance resistance(Vec3 force_on_j, Vec3 torque_on_i, Vec3 torque_on_j, Vec3 n, double lever_i, double lever_j) {
+inline Resistance resistance(Vec3 force_on_j, Vec3 torque_on_i, Vec3 torque_on_j, Vec3 n,
+                             double lever_i, double lever_j) {
     const Vec3 friction = contact::tangential_part(force_on_j, n);
     const Vec3 moment = contact::cross(n, friction);
     return {friction, torque_on_i + lever_i * moment, torque_on_j + lever_j * moment};
@@ -41,15 +71,18 @@ inline Resistance resistance(Vec3 force_on_j, Vec3 torque_on_i, Vec3 torque_on_j
 // the new value for the whole way, an error of first order in the step.
 inline void add_heat(const Slots& c, int k, const Motion& m, const Load& load, double dt) {
     const double lever_j_before = m.lever_j > 0.0 ? c.r_j[k] - 0.5 * c.overlap[k] : 0.0;
-    const Resistance before = resistance({c.fx[k], c.fy[k], c.fz[k]}, {c.tix[k], c.tiy[k], c.tiz[k]},
-                                         {c.tjx[k], c.tjy[k], c.tjz[k]}, {c.nx[k], c.ny[k], c.nz[k]},
-                                         c.r_i[k] - 0.5 * c.overlap[k], lever_j_before);
-    const Resistance now = resistance(load.force_on_j, load.torque_on_i, load.torque_on_j, m.n, m.lever_i, m.lever_j);
+    const Resistance before = resistance(
+        {c.fx[k], c.fy[k], c.fz[k]}, {c.tix[k], c.tiy[k], c.tiz[k]}, {c.tjx[k], c.tjy[k], c.tjz[k]},
+        {c.nx[k], c.ny[k], c.nz[k]}, c.r_i[k] - 0.5 * c.overlap[k], lever_j_before);
+    const Resistance now =
+        resistance(load.force_on_j, load.torque_on_i, load.torque_on_j, m.n, m.lever_i, m.lever_j);
     const double way = 0.5 * dt;
-    const double acts = m.overlap >= c.tear_off_overlap[k] ? way : 0.0;  // a torn contact loads nobody any more
+    const double acts =
+        m.overlap >= c.tear_off_overlap[k] ? way : 0.0;  // a torn contact loads nobody any more
     c.heat_normal[k] += (way * c.dashpot[k] + acts * load.dashpot) * m.approach_speed;
-    c.heat_tangential[k] += c.stored_tangential[k] - load.stored_tangential -
-                            contact::dot(way * before.friction + acts * now.friction, m.slip_velocity);
+    c.heat_tangential[k] +=
+        c.stored_tangential[k] - load.stored_tangential -
+        contact::dot(way * before.friction + acts * now.friction, m.slip_velocity);
     c.heat_rolling[k] += c.stored_rolling[k] - load.stored_rolling -
                          contact::dot(way * before.rolling_i + acts * now.rolling_i, m.spin_i) -
                          contact::dot(way * before.rolling_j + acts * now.rolling_j, m.spin_j);
@@ -68,9 +101,18 @@ void load_typed(const Interaction law, const Slots c, const MotionBlock& motion,
 #pragma GCC ivdep
 #endif
     for (int k = 0; k < size; ++k) {
-        const ContactConstants constants{c.r_i[k],          c.r_j[k], c.r_star[k], c.m_star[k], c.length_scale[k], c.inverse_inertia_i[k],
-                                         c.inverse_inertia_j[k], c.tear_off_overlap[k]};
-        const History history{{c.sx[k], c.sy[k], c.sz[k]}, {c.rx[k], c.ry[k], c.rz[k]}, c.twist[k], c.previous_radius[k]};
+        const ContactConstants constants{c.r_i[k],
+                                         c.r_j[k],
+                                         c.r_star[k],
+                                         c.m_star[k],
+                                         c.length_scale[k],
+                                         c.inverse_inertia_i[k],
+                                         c.inverse_inertia_j[k],
+                                         c.tear_off_overlap[k]};
+        const History history{{c.sx[k], c.sy[k], c.sz[k]},
+                              {c.rx[k], c.ry[k], c.rz[k]},
+                              c.twist[k],
+                              c.previous_radius[k]};
         const Motion m = motion.get(k);
         const Load load = evaluate(law, constants, m, history, dt);
         if constexpr (with_ledger) add_heat(c, k, m, load, dt);
@@ -100,12 +142,14 @@ void MotionBlock::set(int k, const Motion& m) {
     lever_i[k] = m.lever_i, lever_j[k] = m.lever_j;
 }
 
-void load_block(const Laws& laws, Contacts& contacts, std::size_t first, int size, const MotionBlock& motion,
-                const Settings& settings) {
+void load_block(const Laws& laws, Contacts& contacts, std::size_t first, int size,
+                const MotionBlock& motion, const Settings& settings) {
     const Slots c = slots(contacts, first);
     with_laws(laws, [&](const auto& law) {
-        if (settings.ledger) load_typed<true>(law, c, motion, size, settings.time_step);
-        else load_typed<false>(law, c, motion, size, settings.time_step);
+        if (settings.ledger)
+            load_typed<true>(law, c, motion, size, settings.time_step);
+        else
+            load_typed<false>(law, c, motion, size, settings.time_step);
     });
 }
 

@@ -17,7 +17,8 @@ namespace {
 struct Grid {
     double x0 = 0.0, y0 = 0.0, z0 = 0.0, width = 1.0;
     int nx = 1, ny = 1, nz = 1;
-    std::vector<int> begin, grain;  // grains of cell c, by rising index: grain[begin[c] .. begin[c + 1])
+    std::vector<int> begin,
+        grain;  // grains of cell c, by rising index: grain[begin[c] .. begin[c + 1])
 
     int cell(double x, double y, double z) const {
         const int cx = static_cast<int>((x - x0) / width), cy = static_cast<int>((y - y0) / width),
@@ -41,8 +42,8 @@ Grid make_grid(const Particles& p, double width) {
     grid.nx = static_cast<int>(lx / width) + 1;
     grid.ny = static_cast<int>(ly / width) + 1;
     grid.nz = static_cast<int>(lz / width) + 1;
-    const std::size_t cells = static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny) *
-                              static_cast<std::size_t>(grid.nz);
+    const std::size_t cells = static_cast<std::size_t>(grid.nx) *
+                              static_cast<std::size_t>(grid.ny) * static_cast<std::size_t>(grid.nz);
     grid.begin.assign(cells + 1, 0);
     std::vector<int> cell_of(n);
     for (std::size_t k = 0; k < n; ++k) {
@@ -53,7 +54,8 @@ Grid make_grid(const Particles& p, double width) {
     grid.grain.resize(n);
     std::vector<int> next(grid.begin.begin(), grid.begin.end() - 1);
     for (std::size_t k = 0; k < n; ++k)
-        grid.grain[static_cast<std::size_t>(next[static_cast<std::size_t>(cell_of[k])]++)] = static_cast<int>(k);
+        grid.grain[static_cast<std::size_t>(next[static_cast<std::size_t>(cell_of[k])]++)] =
+            static_cast<int>(k);
     return grid;
 }
 
@@ -98,8 +100,10 @@ void link_contacts(CandidateList& list, Contacts& contacts, bool wall_major) {
         std::size_t low = 0, high = list.count();
         while (low < high) {
             const std::size_t middle = (low + high) / 2;
-            if (key(list.i[middle], list.j[middle]) < wanted) low = middle + 1;
-            else high = middle;
+            if (key(list.i[middle], list.j[middle]) < wanted)
+                low = middle + 1;
+            else
+                high = middle;
         }
         // Not in the list: the pair has jumped beyond gap and skin, and is about to be found torn.
         const bool found = low < list.count() && key(list.i[low], list.j[low]) == wanted;
@@ -139,7 +143,8 @@ CandidateList near_pairs(const Particles& p, double skin, const GapOf& pair_gap,
         }
     }
     CandidateList list;
-    for (const CandidateList& part : parts) {  // static chunks by rising i: joined, they are in order
+    for (const CandidateList& part :
+         parts) {  // static chunks by rising i: joined, they are in order
         list.i.insert(list.i.end(), part.i.begin(), part.i.end());
         list.j.insert(list.j.end(), part.j.begin(), part.j.end());
         list.reach.insert(list.reach.end(), part.reach.begin(), part.reach.end());
@@ -147,7 +152,8 @@ CandidateList near_pairs(const Particles& p, double skin, const GapOf& pair_gap,
     return list;
 }
 
-CandidateList near_walls(const Particles& p, const std::vector<Wall>& walls, double skin, const GapOf& wall_gap) {
+CandidateList near_walls(const Particles& p, const std::vector<Wall>& walls, double skin,
+                         const GapOf& wall_gap) {
     CandidateList list;
     CachedGap gap(wall_gap);
     for (std::size_t w = 0; w < walls.size(); ++w)
@@ -164,8 +170,9 @@ CandidateList near_walls(const Particles& p, const std::vector<Wall>& walls, dou
 
 }  // namespace
 
-void find_neighbours(Neighbours& neighbours, const Particles& p, const std::vector<Wall>& walls, Contacts& pairs,
-                     Contacts& wall_contacts, double skin, const GapOf& pair_gap, const GapOf& wall_gap, int threads) {
+void find_neighbours(Neighbours& neighbours, const Particles& p, const std::vector<Wall>& walls,
+                     Contacts& pairs, Contacts& wall_contacts, double skin, const GapOf& pair_gap,
+                     const GapOf& wall_gap, int threads) {
     neighbours.pairs = p.count() == 0 ? CandidateList{} : near_pairs(p, skin, pair_gap, threads);
     neighbours.walls = near_walls(p, walls, skin, wall_gap);
     link_contacts(neighbours.pairs, pairs, false);
@@ -184,7 +191,8 @@ bool outdated(const Neighbours& neighbours, const Particles& p, double skin, int
 #pragma omp parallel for simd reduction(+ : far) schedule(static) num_threads(threads) if (threads > 1)
     for (int k = 0; k < n; ++k) {
         const auto a = static_cast<std::size_t>(k);
-        const double dx = p.x[a] - neighbours.x0[a], dy = p.y[a] - neighbours.y0[a], dz = p.z[a] - neighbours.z0[a];
+        const double dx = p.x[a] - neighbours.x0[a], dy = p.y[a] - neighbours.y0[a],
+                     dz = p.z[a] - neighbours.z0[a];
         far += !(dx * dx + dy * dy + dz * dz <= allowed);
     }
     return far > 0;

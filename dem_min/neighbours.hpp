@@ -2,20 +2,21 @@
 // Who may touch whom: a Verlet list from a cell grid, valid until some grain has moved half the skin.
 #pragma once
 
-#include <functional>
-#include <vector>
-
 #include "dem_min/contacts.hpp"
 #include "dem_min/particles.hpp"
 #include "dem_min/walls.hpp"
+
+#include <functional>
+#include <vector>
 
 namespace dem_min {
 
 // Pairs (i < j) in lexicographic order, and grains near walls in order of (wall, grain).
 struct CandidateList {
-    std::vector<int> i, j;      // j is the wall in the list of walls
-    std::vector<double> reach;  // m, R_i + R_j, or R_i at a wall: they touch when their distance is this
-    std::vector<int> slot;      // of the contact, -1 where there is none
+    std::vector<int> i, j;  // j is the wall in the list of walls
+    std::vector<double>
+        reach;  // m, R_i + R_j, or R_i at a wall: they touch when their distance is this
+    std::vector<int> slot;  // of the contact, -1 where there is none
     std::size_t count() const { return i.size(); }
 };
 
@@ -37,8 +38,9 @@ struct Neighbours {
 using GapOf = std::function<double(double r_star)>;
 
 // Makes both lists anew and links the existing contacts to them. Pairs of fixed grains are left out.
-void find_neighbours(Neighbours&, const Particles&, const std::vector<Wall>&, Contacts& pairs, Contacts& wall_contacts,
-                     double skin, const GapOf& pair_gap, const GapOf& wall_gap, int threads);
+void find_neighbours(Neighbours&, const Particles&, const std::vector<Wall>&, Contacts& pairs,
+                     Contacts& wall_contacts, double skin, const GapOf& pair_gap,
+                     const GapOf& wall_gap, int threads);
 
 // True when some grain has moved more than half the skin since the list was made, or its place is not a number.
 bool outdated(const Neighbours&, const Particles&, double skin, int threads);

@@ -6,8 +6,25 @@
 namespace dem_min {
 
 std::array<std::vector<double>*, 19> Particles::arrays() {
-    return {&x,  &y,  &z,  &vx, &vy, &vz, &wx,     &wy,   &wz,           &fx,
-            &fy, &fz, &tx, &ty, &tz, &radius, &mass, &inverse_mass, &inverse_inertia};
+    return {&x,
+            &y,
+            &z,
+            &vx,
+            &vy,
+            &vz,
+            &wx,
+            &wy,
+            &wz,
+            &fx,
+            &fy,
+            &fz,
+            &tx,
+            &ty,
+            &tz,
+            &radius,
+            &mass,
+            &inverse_mass,
+            &inverse_inertia};
 }
 
 void Particles::add(const Grain& grain, std::int64_t new_id) {
@@ -20,7 +37,8 @@ void Particles::add(const Grain& grain, std::int64_t new_id) {
     radius[k] = r;
     mass[k] = grain.density * (4.0 / 3.0 * std::numbers::pi) * (r * r * r);
     inverse_mass[k] = grain.fixed ? 0.0 : 1.0 / mass[k];
-    inverse_inertia[k] = grain.fixed ? 0.0 : 2.5 / (mass[k] * (r * r));  // solid sphere: I = 2/5 m R^2
+    inverse_inertia[k] =
+        grain.fixed ? 0.0 : 2.5 / (mass[k] * (r * r));  // solid sphere: I = 2/5 m R^2
     id.push_back(new_id);
 }
 

@@ -2,12 +2,12 @@
 // Grains as a structure of arrays. Shape of every array: [count()]. SI doubles.
 #pragma once
 
+#include "contact/vec3.hpp"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
-
-#include "contact/vec3.hpp"
 
 namespace dem_min {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The step as one would explain it at a blackboard. It shares with step.cpp the laws, the motion of one contact and the
 // sums of gather_and_kick, but no cell, no candidate list, no thread.
+#include "dem_min/forces.hpp"
+
 #include <cstddef>
 #include <map>
 #include <utility>
-
-#include "dem_min/forces.hpp"
 
 namespace dem_min {
 namespace {
@@ -53,7 +53,9 @@ void reference_step(Simulation& s) {
     Slots pairs = slots_of(s.pairs, false), walls = slots_of(s.wall_contacts, true);
     for (std::size_t i = 0; i < p.count(); ++i)
         for (std::size_t j = i + 1; j < p.count(); ++j) {
-            if ((p.fixed(i) && p.fixed(j)) || pairs.count({static_cast<int>(i), static_cast<int>(j)}) != 0) continue;
+            if ((p.fixed(i) && p.fixed(j)) ||
+                pairs.count({static_cast<int>(i), static_cast<int>(j)}) != 0)
+                continue;
             const double dx = p.x[j] - p.x[i], dy = p.y[j] - p.y[i], dz = p.z[j] - p.z[i];
             const double reach = p.radius[i] + p.radius[j];
             if (dx * dx + dy * dy + dz * dz <= reach * reach)
@@ -61,19 +63,25 @@ void reference_step(Simulation& s) {
         }
     for (std::size_t w = 0; w < s.walls.size(); ++w)
         for (std::size_t i = 0; i < p.count(); ++i) {
-            if (p.fixed(i) || walls.count({static_cast<int>(w), static_cast<int>(i)}) != 0) continue;
+            if (p.fixed(i) || walls.count({static_cast<int>(w), static_cast<int>(i)}) != 0)
+                continue;
             if (distance(s.walls[w], p.position(i)).distance <= p.radius[i])
-                s.wall_contacts.add(static_cast<int>(i), static_cast<int>(w), 0, wall_constants(s, i));
+                s.wall_contacts.add(static_cast<int>(i), static_cast<int>(w), 0,
+                                    wall_constants(s, i));
         }
     load_all(s, s.pairs, s.between_grains, [&](std::size_t slot) {
-        return pair_motion(p, static_cast<std::size_t>(s.pairs.i[slot]), static_cast<std::size_t>(s.pairs.j[slot]));
+        return pair_motion(p, static_cast<std::size_t>(s.pairs.i[slot]),
+                           static_cast<std::size_t>(s.pairs.j[slot]));
     });
     load_all(s, s.wall_contacts, s.at_walls, [&](std::size_t slot) {
         const auto i = static_cast<std::size_t>(s.wall_contacts.i[slot]);
-        return wall_motion(p, i, distance(s.walls[static_cast<std::size_t>(s.wall_contacts.j[slot])], p.position(i)));
+        return wall_motion(
+            p, i,
+            distance(s.walls[static_cast<std::size_t>(s.wall_contacts.j[slot])], p.position(i)));
     });
     s.neighbours.of_pairs = incidence(in_order(slots_of(s.pairs, false), false), p.count(), true);
-    s.neighbours.of_walls = incidence(in_order(slots_of(s.wall_contacts, true), true), p.count(), false);
+    s.neighbours.of_walls =
+        incidence(in_order(slots_of(s.wall_contacts, true), true), p.count(), false);
     gather_and_kick(s);
     s.neighbours.stale = true;  // `step` may follow
     ++s.steps;

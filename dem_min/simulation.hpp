@@ -3,31 +3,33 @@
 // same instant. All numbers SI.
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
-#include <vector>
-
 #include "dem_min/contacts.hpp"
 #include "dem_min/interaction.hpp"
 #include "dem_min/neighbours.hpp"
 #include "dem_min/particles.hpp"
 #include "dem_min/walls.hpp"
 
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
 namespace dem_min {
 
 struct Settings {
     double time_step = 0.0;  // s
-    double skin = 0.0;       // m, margin of the neighbour list: it is made anew once a grain has moved half of it
-    Vec3 gravity;            // m/s^2
-    double lost_below = 0.0; // m: a grain whose centre sinks below this z has left and is taken out
-    int threads = 1;          // at most
+    double skin =
+        0.0;  // m, margin of the neighbour list: it is made anew once a grain has moved half of it
+    Vec3 gravity;  // m/s^2
+    double lost_below =
+        0.0;          // m: a grain whose centre sinks below this z has left and is taken out
+    int threads = 1;  // at most
     int grains_per_thread = 1000;  // with fewer, threads wait for one another longer than they work
-    bool ledger = false;     // keep the energy ledger (costs some 10 % of a step)
+    bool ledger = false;           // keep the energy ledger (costs some 10 % of a step)
 };
 
 // Sums over everything that no longer exists: ended contacts and grains that have left.
 struct Past {
-    Dissipation heat;            // J, of contacts that have ended, springs that were still loaded included
+    Dissipation heat;  // J, of contacts that have ended, springs that were still loaded included
     double kinetic_in = 0.0;     // J, of grains at their birth
     double potential_in = 0.0;   // J, likewise, in gravity, zero at the origin
     double carried_away = 0.0;   // J, kinetic and elastic, by grains that have left
@@ -48,7 +50,8 @@ struct Simulation {
 
     // Threads that this many grains are worth. The bits do not depend on it.
     int team() const {
-        return std::clamp(static_cast<int>(grains.count()) / settings.grains_per_thread, 1, settings.threads);
+        return std::clamp(static_cast<int>(grains.count()) / settings.grains_per_thread, 1,
+                          settings.threads);
     }
     double time() const { return static_cast<double>(steps) * settings.time_step; }
 };
@@ -75,9 +78,10 @@ struct Ledger {
 };
 Ledger ledger(const Simulation&);  // settings.ledger must have been on from the start
 
-double kinetic_energy(const Simulation&);      // J, of all grains that are not fixed, spin included
+double kinetic_energy(const Simulation&);  // J, of all grains that are not fixed, spin included
 double translational_energy(const Simulation&);  // J, likewise, without spin
-double mean_coordination(const Simulation&);   // contacts per loose grain, with grains, base and walls
+double mean_coordination(
+    const Simulation&);  // contacts per loose grain, with grains, base and walls
 
 // Hash of positions, velocities, spins, springs and contact radii, contacts in canonical order, all in multiples of the units
 // given: two runs that are one another's image under a scaling by powers of two have the same hash in their own units.

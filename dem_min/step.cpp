@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+#include "dem_min/forces.hpp"
+
 #include <omp.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-
-#include "dem_min/forces.hpp"
 
 namespace dem_min {
 namespace {
@@ -13,14 +13,16 @@ namespace {
 // Loads of all contacts in a list; `motion_of(slot)` gives the motion. A contact beyond its tear-off gets a load too, which
 // nobody sees: `end_torn` takes it out before the loads are gathered.
 template <class MotionOf>
-void load_contacts(const Laws& laws, Contacts& contacts, const Settings& settings, int team, MotionOf&& motion_of) {
+void load_contacts(const Laws& laws, Contacts& contacts, const Settings& settings, int team,
+                   MotionOf&& motion_of) {
     const int count = static_cast<int>(contacts.count());
     const int blocks = (count + block_size - 1) / block_size;
 #pragma omp parallel for schedule(static) num_threads(team) if (team > 1)
     for (int b = 0; b < blocks; ++b) {
         MotionBlock motion;
         const int first = b * block_size, size = std::min(block_size, count - first);
-        for (int k = 0; k < size; ++k) motion.set(k, motion_of(static_cast<std::size_t>(first + k)));
+        for (int k = 0; k < size; ++k)
+            motion.set(k, motion_of(static_cast<std::size_t>(first + k)));
         load_block(laws, contacts, static_cast<std::size_t>(first), size, motion, settings);
     }
 }
@@ -35,13 +37,16 @@ std::vector<int> find_touching(const CandidateList& list, int threads, Touches&&
         std::vector<int>& part = parts[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)
         for (int c = 0; c < count; ++c)
-            if (list.slot[static_cast<std::size_t>(c)] < 0 && touches(static_cast<std::size_t>(c))) part.push_back(c);
+            if (list.slot[static_cast<std::size_t>(c)] < 0 && touches(static_cast<std::size_t>(c)))
+                part.push_back(c);
     }
-    for (std::size_t t = 1; t < parts.size(); ++t) parts[0].insert(parts[0].end(), parts[t].begin(), parts[t].end());
+    for (std::size_t t = 1; t < parts.size(); ++t)
+        parts[0].insert(parts[0].end(), parts[t].begin(), parts[t].end());
     return parts[0];
 }
 
-void begin_contact(CandidateList& list, int candidate, Contacts& contacts, const ContactConstants& constants) {
+void begin_contact(CandidateList& list, int candidate, Contacts& contacts,
+                   const ContactConstants& constants) {
     const auto c = static_cast<std::size_t>(candidate);
     list.slot[c] = static_cast<int>(contacts.count());
     contacts.add(list.i[c], list.j[c], candidate, constants);
@@ -58,7 +63,8 @@ bool begin_pairs(Simulation& s) {
     for (const int c : born) {
         const auto k = static_cast<std::size_t>(c);
         begin_contact(list, c, s.pairs,
-                      pair_constants(s, static_cast<std::size_t>(list.i[k]), static_cast<std::size_t>(list.j[k])));
+                      pair_constants(s, static_cast<std::size_t>(list.i[k]),
+                                     static_cast<std::size_t>(list.j[k])));
     }
     return !born.empty();
 }
@@ -70,8 +76,9 @@ bool begin_wall_contacts(Simulation& s) {
         return distance(s.walls[static_cast<std::size_t>(list.j[c])], x).distance <= list.reach[c];
     });
     for (const int c : born)
-        begin_contact(list, c, s.wall_contacts,
-                      wall_constants(s, static_cast<std::size_t>(list.i[static_cast<std::size_t>(c)])));
+        begin_contact(
+            list, c, s.wall_contacts,
+            wall_constants(s, static_cast<std::size_t>(list.i[static_cast<std::size_t>(c)])));
     return !born.empty();
 }
 
@@ -86,8 +93,9 @@ bool end_torn(Simulation& s, const Laws& laws, Contacts& contacts, CandidateList
 }
 
 double gap(const Laws& laws, double r_star) {
-    return std::visit([&](const auto& law) { return -law.tear_off_overlap(r_star, law.length_scale(r_star)); },
-                      laws.normal);
+    return std::visit(
+        [&](const auto& law) { return -law.tear_off_overlap(r_star, law.length_scale(r_star)); },
+        laws.normal);
 }
 
 void renew_neighbours(Simulation& s) {

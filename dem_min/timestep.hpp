@@ -5,9 +5,10 @@
 namespace dem_min {
 
 struct StepLimits {
-    double rayleigh;      // s, 0.2 of the Rayleigh time
-    double hertz;         // s, 1/20 of a Hertz collision at the fastest impact
-    double adhesive_gap;  // s, a fifth of the tear-off gap at sticking speed; infinite without adhesion
+    double rayleigh;  // s, 0.2 of the Rayleigh time
+    double hertz;     // s, 1/20 of a Hertz collision at the fastest impact
+    double
+        adhesive_gap;  // s, a fifth of the tear-off gap at sticking speed; infinite without adhesion
     double shortest() const;
 };
 
@@ -24,6 +25,7 @@ struct StepInput {
 // a step that jumps the gap leaves adhesion out, which no criterion of the DEM codes looks at.
 StepLimits step_limits(const StepInput&);
 
-double rayleigh_time(double radius, double density, double shear_modulus, double poisson_ratio);  // s
+double rayleigh_time(double radius, double density, double shear_modulus,
+                     double poisson_ratio);  // s
 
 }  // namespace dem_min

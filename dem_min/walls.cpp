@@ -8,7 +8,9 @@ namespace dem_min {
 
 Wall disc(double radius, double z) { return Shell{0.0, z, radius, z}; }
 
-Wall tube(double radius, double z_bottom, double z_top) { return Shell{radius, z_bottom, radius, z_top}; }
+Wall tube(double radius, double z_bottom, double z_top) {
+    return Shell{radius, z_bottom, radius, z_top};
+}
 
 Wall cone(double radius_bottom, double z_bottom, double radius_top, double z_top) {
     return Shell{radius_bottom, z_bottom, radius_top, z_top};

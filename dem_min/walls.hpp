@@ -4,10 +4,10 @@
 // (r0, z0)-(r1, z1). A shell is felt from both sides and at its rim.
 #pragma once
 
+#include "contact/vec3.hpp"
+
 #include <variant>
 #include <vector>
-
-#include "contact/vec3.hpp"
 
 namespace dem_min {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "rigs/pile.hpp"
 
+#include "contact/effective.hpp"
+#include "dem_min/walls.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
-
-#include "contact/effective.hpp"
-#include "dem_min/walls.hpp"
 
 namespace rigs {
 namespace {
@@ -24,7 +24,8 @@ std::vector<dem_min::Wall> walls(const PileConditions& c) {
     if (c.base == Base::flat_with_rim) result.push_back(dem_min::tube(radius, 0.0, c.rim_height));
     if (c.funnel)
         result.push_back(dem_min::cone(0.5 * c.funnel->outlet_diameter, c.funnel->outlet_height,
-                                       0.5 * c.funnel->top_diameter, c.funnel->outlet_height + c.funnel->height));
+                                       0.5 * c.funnel->top_diameter,
+                                       c.funnel->outlet_height + c.funnel->height));
     return result;
 }
 
@@ -74,7 +75,8 @@ void feed(PileRun& run, const PileSetup& setup) {
     Simulation& s = run.simulation;
     const PileConditions& c = setup.conditions;
     while (run.fed < setup.feed_time.size() && setup.feed_time[run.fed] <= s.time()) {
-        const double radius = setup.radius[run.fed], x = setup.feed_x[run.fed], y = setup.feed_y[run.fed];
+        const double radius = setup.radius[run.fed], x = setup.feed_x[run.fed],
+                     y = setup.feed_y[run.fed];
         const double mouth = c.funnel ? c.funnel->outlet_height + c.funnel->height : c.drop_height;
         const double lowest = std::max(mouth, heap_top(s) + 2.0 * setup.d);
         const double z = free_height(s, x, y, radius, lowest + radius);
@@ -101,10 +103,13 @@ double restlessness(const Simulation& s, const PileSetup& setup) {
 void watch_rest(PileRun& run, const PileSetup& setup) {
     const Simulation& s = run.simulation;
     if (run.fed < setup.feed_time.size() || s.steps % rest_check_interval != 0) return;
-    if (restlessness(s, setup) >= 1e-6) run.still_since = -1;
-    else if (run.still_since < 0) run.still_since = s.steps;
-    const double still =
-        run.still_since < 0 ? 0.0 : static_cast<double>(s.steps - run.still_since) * setup.time_step;
+    if (restlessness(s, setup) >= 1e-6)
+        run.still_since = -1;
+    else if (run.still_since < 0)
+        run.still_since = s.steps;
+    const double still = run.still_since < 0
+                             ? 0.0
+                             : static_cast<double>(s.steps - run.still_since) * setup.time_step;
     run.at_rest = run.still_since >= 0 && still >= setup.rest_duration;
     run.finished = run.at_rest || s.time() >= setup.longest;
 }
@@ -137,7 +142,8 @@ void advance(PileRun& run, const PileSetup& setup, std::int64_t steps) {
 
 std::int64_t expected_steps(const PileSetup& setup) {
     const double fall = 2.0 * std::sqrt(2.0 * setup.conditions.drop_height / setup.gravity);
-    return static_cast<std::int64_t>((setup.feed_time.back() + fall + 1.5 * setup.rest_duration) / setup.time_step);
+    return static_cast<std::int64_t>((setup.feed_time.back() + fall + 1.5 * setup.rest_duration) /
+                                     setup.time_step);
 }
 
 PileRecord record(const PileRun& run, const PileSetup& setup) {
@@ -156,7 +162,8 @@ PileRecord record(const PileRun& run, const PileSetup& setup) {
     for (const Estimator estimator : computed_estimators)
         result.angles.emplace_back(estimator, angle_of_repose(map, estimator));
     result.profile = radial_profile(map);
-    if (const auto packing = packing_fraction(result.heap, map)) result.packing_fraction = packing->value;
+    if (const auto packing = packing_fraction(result.heap, map))
+        result.packing_fraction = packing->value;
     result.coordination = dem_min::mean_coordination(s);
     result.grains_fed = static_cast<std::int64_t>(run.fed);
     result.grains_lost = s.past.grains_lost;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "contact/effective.hpp"
 #include "dem_min/random.hpp"
 #include "dem_min/timestep.hpp"
 #include "rigs/pile.hpp"
 #include "scaling/errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace rigs {
 namespace {
@@ -39,7 +39,8 @@ double diameter_by_number(const std::vector<std::pair<double, Length>>& cumulati
     std::size_t k = 1;
     while (k + 1 < number.size() && number[k] < wanted) ++k;
     const double share = (wanted - number[k - 1]) / (number[k] - number[k - 1]);
-    return 1.0 / std::sqrt(inverse_square(k - 1) - share * (inverse_square(k - 1) - inverse_square(k)));
+    return 1.0 /
+           std::sqrt(inverse_square(k - 1) - share * (inverse_square(k - 1) - inverse_square(k)));
 }
 
 double draw_diameter(const cases::Grain& grain, double u) {
@@ -60,7 +61,9 @@ PileConditions pile_conditions(const cases::Experiment& experiment) {
     const double g = experiment.surroundings.gravity.value();
     PileConditions c{};
     const std::string base = given.at("base").text();
-    c.base = base == "flat" ? Base::flat : base == "flat_with_rim" ? Base::flat_with_rim : Base::glued_grains;
+    c.base = base == "flat"            ? Base::flat
+             : base == "flat_with_rim" ? Base::flat_with_rim
+                                       : Base::glued_grains;
     c.base_diameter = given.at("base_diameter").quantity<Length>().value();
     c.rim_height = length_or(given, "rim_height", d);
     if (given.at("grains").kind == cases::Value::Kind::text)
@@ -78,7 +81,8 @@ PileConditions pile_conditions(const cases::Experiment& experiment) {
         c.feed_diameter = c.funnel->top_diameter;
     }
     c.feed_rate =
-        given.quantity_or<Frequency>("feed_rate", Frequency::from_value(default_feed_rate(c, d, g))).value();
+        given.quantity_or<Frequency>("feed_rate", Frequency::from_value(default_feed_rate(c, d, g)))
+            .value();
     return c;
 }
 
@@ -88,10 +92,11 @@ double default_feed_rate(const PileConditions& c, double d, double gravity) {
     return 0.05 * stream / (std::numbers::pi / 6.0 * d * d * d);
 }
 
-PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment, std::uint64_t seed) {
+PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment,
+                     std::uint64_t seed) {
     refuse_other_physics(c, "pile",
-                         {"gravity", "hertz_mindlin", "hertz_coulomb", "adhesion", "wall_adhesion", "wall_friction",
-                          "rolling_resistance"});
+                         {"gravity", "hertz_mindlin", "hertz_coulomb", "adhesion", "wall_adhesion",
+                          "wall_friction", "rolling_resistance"});
     const cases::Model& model = c.model;
     const contact::Material grain = grain_material(experiment), plate = plate_material(experiment);
     PileSetup s{};
@@ -102,12 +107,14 @@ PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment, 
     const bool rolling = model.includes("rolling_resistance");
     const bool rigid = model.includes("hertz_coulomb");
     s.grains = elastic_parameters(grain, grain);
-    s.grains.work_of_adhesion = model.includes("adhesion") ? model.value_or("work_of_adhesion", 0.0) : 0.0;
+    s.grains.work_of_adhesion =
+        model.includes("adhesion") ? model.value_or("work_of_adhesion", 0.0) : 0.0;
     s.grains.sliding_friction = model.value_or("sliding_friction", 0.0);
     s.grains.rolling_friction = rolling ? model.value_or("rolling_friction", 0.0) : 0.0;
     s.grains.restitution = model.value_or("restitution", 1.0);
     s.walls = elastic_parameters(grain, plate);
-    s.walls.work_of_adhesion = model.includes("wall_adhesion") ? model.wall_value_or("work_of_adhesion", 0.0) : 0.0;
+    s.walls.work_of_adhesion =
+        model.includes("wall_adhesion") ? model.wall_value_or("work_of_adhesion", 0.0) : 0.0;
     s.walls.sliding_friction = model.wall_value_or("sliding_friction", 0.0);
     s.walls.rolling_friction = rolling ? model.wall_value_or("rolling_friction", 0.0) : 0.0;
     s.walls.restitution = model.wall_value_or("restitution", 1.0);
@@ -120,7 +127,8 @@ PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment, 
 void choose_feed(PileSetup& s, const cases::Grain& sizes, std::uint64_t seed) {
     const dem_min::RandomStream places{seed, feeding_places}, diameters{seed, grain_sizes};
     const auto count = static_cast<std::size_t>(s.conditions.grains);
-    s.feed_time.resize(count), s.feed_x.resize(count), s.feed_y.resize(count), s.radius.resize(count);
+    s.feed_time.resize(count), s.feed_x.resize(count), s.feed_y.resize(count),
+        s.radius.resize(count);
     for (std::size_t k = 0; k < count; ++k) {
         s.radius[k] = 0.5 * draw_diameter(sizes, diameters.uniform(k));
         const double room = std::max(0.0, 0.5 * s.conditions.feed_diameter - s.radius[k]);
@@ -136,14 +144,15 @@ void choose_steps(PileSetup& s) {
     const double smallest = *std::min_element(s.radius.begin(), s.radius.end());
     // E and nu are no longer known one by one: nu = 0.3 stands in for the Rayleigh time, where 0 to 0.5 moves it by 8 %.
     const double nu = 0.3;
-    const double fall = s.conditions.funnel ? s.conditions.funnel->outlet_height : s.conditions.drop_height;
-    const dem_min::StepLimits limits =
-        dem_min::step_limits({.radius = smallest,
-                              .density = s.density,
-                              .youngs_modulus = 2.0 * (1.0 - nu * nu) * std::max(s.grains.e_star, s.walls.e_star / 2.0),
-                              .poisson_ratio = nu,
-                              .work_of_adhesion = std::max(s.grains.work_of_adhesion, s.walls.work_of_adhesion),
-                              .fastest_impact = std::sqrt(2.0 * s.gravity * fall)});
+    const double fall =
+        s.conditions.funnel ? s.conditions.funnel->outlet_height : s.conditions.drop_height;
+    const dem_min::StepLimits limits = dem_min::step_limits(
+        {.radius = smallest,
+         .density = s.density,
+         .youngs_modulus = 2.0 * (1.0 - nu * nu) * std::max(s.grains.e_star, s.walls.e_star / 2.0),
+         .poisson_ratio = nu,
+         .work_of_adhesion = std::max(s.grains.work_of_adhesion, s.walls.work_of_adhesion),
+         .fastest_impact = std::sqrt(2.0 * s.gravity * fall)});
     s.time_step = limits.shortest();
     s.skin = 0.2 * s.d;
     s.lost_below = -3.0 * s.d;
@@ -156,20 +165,23 @@ PileSetup scaled(const PileSetup& original, const scaling::ScaleMap& map) {
     const double length = map.factor("length"), time = map.factor("time");
     const auto times = [](double factor, auto&... values) { ((values *= factor), ...); };
     PileConditions& c = s.conditions;
-    times(map.factor("apparatus_length"), c.base_diameter, c.rim_height, c.drop_height, c.feed_diameter);
+    times(map.factor("apparatus_length"), c.base_diameter, c.rim_height, c.drop_height,
+          c.feed_diameter);
     if (c.funnel)
-        times(map.factor("apparatus_length"), c.funnel->outlet_diameter, c.funnel->top_diameter, c.funnel->height,
-              c.funnel->outlet_height);
+        times(map.factor("apparatus_length"), c.funnel->outlet_diameter, c.funnel->top_diameter,
+              c.funnel->height, c.funnel->outlet_height);
     times(1.0 / time, c.feed_rate);
     times(length, s.d, s.skin, s.lost_below);
     times(map.factor("density"), s.density);
     times(map.factor("gravity"), s.gravity);
-    times(map.factor("youngs_modulus"), s.grains.e_star, s.grains.g_star, s.walls.e_star, s.walls.g_star);
+    times(map.factor("youngs_modulus"), s.grains.e_star, s.grains.g_star, s.walls.e_star,
+          s.walls.g_star);
     times(map.factor("work_of_adhesion"), s.grains.work_of_adhesion, s.walls.work_of_adhesion);
     times(map.factor("contact_time"), s.time_step);
     times(time, s.rest_duration, s.longest);
     for (double& t : s.feed_time) t *= time;
-    for (std::size_t k = 0; k < s.radius.size(); ++k) times(length, s.radius[k], s.feed_x[k], s.feed_y[k]);
+    for (std::size_t k = 0; k < s.radius.size(); ++k)
+        times(length, s.radius[k], s.feed_x[k], s.feed_y[k]);
     return s;
 }
 

@@ -14,7 +14,8 @@
 namespace verify {
 namespace {
 
-constexpr int version_of_physics = 1;  // raise when a change of laws, core or estimators makes remembered piles stale
+constexpr int version_of_physics =
+    1;  // raise when a change of laws, core or estimators makes remembered piles stale
 constexpr std::int64_t steps_at_a_time = 2000;
 
 // A setup as text, every double to the last bit: what the fingerprint is taken of.
@@ -23,18 +24,19 @@ std::string described(const rigs::PileSetup& s) {
                                    static_cast<int>(s.conditions.base), s.conditions.grains);
     const auto add = [&](double value) { text += fmt::format(" {:a}", value); };
     const rigs::PileConditions& c = s.conditions;
-    for (const double value : {c.base_diameter, c.rim_height, c.drop_height, c.feed_diameter, c.feed_rate, s.d, s.density,
-                               s.gravity, s.time_step, s.skin, s.lost_below, s.rest_duration, s.longest})
+    for (const double value :
+         {c.base_diameter, c.rim_height, c.drop_height, c.feed_diameter, c.feed_rate, s.d,
+          s.density, s.gravity, s.time_step, s.skin, s.lost_below, s.rest_duration, s.longest})
         add(value);
     for (const rigs::ContactParameters* p : {&s.grains, &s.walls}) {
-        for (const double value : {p->e_star, p->g_star, p->work_of_adhesion, p->sliding_friction, p->rolling_friction,
-                                   p->restitution})
+        for (const double value : {p->e_star, p->g_star, p->work_of_adhesion, p->sliding_friction,
+                                   p->rolling_friction, p->restitution})
             add(value);
         text += p->rigid_tangential ? " rigid" : " elastic";
     }
     if (c.funnel)
-        for (const double value :
-             {c.funnel->outlet_diameter, c.funnel->top_diameter, c.funnel->height, c.funnel->outlet_height})
+        for (const double value : {c.funnel->outlet_diameter, c.funnel->top_diameter,
+                                   c.funnel->height, c.funnel->outlet_height})
             add(value);
     for (const auto* list : {&s.feed_time, &s.feed_x, &s.feed_y, &s.radius})
         for (const double value : *list) add(value);
@@ -56,7 +58,8 @@ PileSample sample_of(const rigs::PileRun& run, const PileJob& job, double second
     sample.at_rest = record.at_rest;
     constexpr double degree = std::numbers::pi / 180.0;
     for (const auto& [estimator, angle] : record.angles)
-        if (estimator == rigs::Estimator::two_h_over_d && angle) sample.angle_deg = angle->angle / degree;
+        if (estimator == rigs::Estimator::two_h_over_d && angle)
+            sample.angle_deg = angle->angle / degree;
     sample.packing_fraction = record.packing_fraction;
     sample.coordination = record.coordination;
     sample.grains_on_base = static_cast<double>(record.heap.radius.size());
@@ -135,7 +138,8 @@ void remember(const PileSample& sample, const std::filesystem::path& file) {
     {
         std::ofstream out(unfinished);
         out << to_text(sample);
-        if (!out.flush()) throw std::runtime_error(unfinished.string() + ": cannot be written (disk full?)");
+        if (!out.flush())
+            throw std::runtime_error(unfinished.string() + ": cannot be written (disk full?)");
     }
     std::filesystem::rename(unfinished, file);
 }
@@ -176,15 +180,16 @@ void run_one(Queue& queue, std::size_t index) {
     while (!run.finished && !queue.stopped()) {
         rigs::advance(run, job.setup, steps_at_a_time);
         const std::lock_guard lock(queue.mutex);
-        queue.done[index] =
-            expected * std::min(1.0, static_cast<double>(run.simulation.steps) / static_cast<double>(most));
+        queue.done[index] = expected * std::min(1.0, static_cast<double>(run.simulation.steps) /
+                                                         static_cast<double>(most));
         queue.tell("");
     }
     if (!run.finished) return;
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     const PileSample sample = sample_of(run, job, seconds.count());
     const std::lock_guard lock(queue.mutex);
-    if (!queue.campaign.remembered_in.empty()) remember(sample, file_of(job, queue.campaign.remembered_in));
+    if (!queue.campaign.remembered_in.empty())
+        remember(sample, file_of(job, queue.campaign.remembered_in));
     queue.samples[index] = sample;
     queue.done[index] = expected;
     queue.tell(job.name);

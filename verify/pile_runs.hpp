@@ -3,6 +3,8 @@
 // interrupted campaign goes on where it stopped.
 #pragma once
 
+#include "rigs/pile.hpp"
+
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
@@ -11,15 +13,14 @@
 #include <string>
 #include <vector>
 
-#include "rigs/pile.hpp"
-
 namespace verify {
 
 struct PileJob {
     std::string name;  // unique, fit for a file name: "reference-7"
     std::uint64_t seed;
     rigs::PileSetup setup;
-    double unit_of_length = 1.0, unit_of_time = 1.0;  // the scaled run's in the reference's: its state is hashed in them
+    double unit_of_length = 1.0,
+           unit_of_time = 1.0;  // the scaled run's in the reference's: its state is hashed in them
 };
 
 // What similarity is judged by, plain numbers; lengths in grain diameters.
@@ -36,11 +37,11 @@ struct PileSample {
 };
 
 struct Campaign {
-    int threads = 1;                           // piles at a time, each on one thread
-    std::filesystem::path remembered_in;       // folder; empty: nothing is remembered
+    int threads = 1;                      // piles at a time, each on one thread
+    std::filesystem::path remembered_in;  // folder; empty: nothing is remembered
     // Called from one thread at a time: grains-steps done, of how many, and the pile that has just ended (or empty).
     std::function<void(double done, double of, const std::string& ended)> progress;
-    const std::atomic<bool>* stop = nullptr;   // set by an interrupt: finished piles stay remembered
+    const std::atomic<bool>* stop = nullptr;  // set by an interrupt: finished piles stay remembered
 };
 
 // In the order of `jobs`. Throws Interrupted if `stop` was set before all had finished.

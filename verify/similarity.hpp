@@ -5,14 +5,14 @@
 // docs/verify.md says what was measured and with which command.
 #pragma once
 
-#include <string>
-#include <vector>
-
 #include "cases/case.hpp"
 #include "rigs/pile.hpp"
 #include "scaling/adhesion.hpp"
 #include "statistics/equivalence.hpp"
 #include "verify/pile_runs.hpp"
+
+#include <string>
+#include <vector>
 
 namespace verify {
 
@@ -41,7 +41,7 @@ rigs::PileSetup reference_setup(const cases::Case&, const ReferenceHeap&, std::u
 struct BitsCheck {
     std::string scheme;
     double h;
-    std::size_t grains;            // compared, with all their velocities, spins and contact springs
+    std::size_t grains;  // compared, with all their velocities, spins and contact springs
     std::uint64_t reference, scaled;  // hashes of the final states, each in its own units
     bool equal;
 };
@@ -60,20 +60,23 @@ struct Quantity {
     std::string name, unit;
     statistics::Summary reference, scaled;
     statistics::Equivalence test;
-    std::size_t seeds_for_power;  // a side, for 95 % power at the pooled spread; 0: no number of seeds is enough
+    std::size_t
+        seeds_for_power;  // a side, for 95 % power at the pooled spread; 0: no number of seeds is enough
 };
 
 enum class Answer { equivalent, different, not_decided };
 
 struct Comparison {
-    std::string name;         // "kept_gravity, h = 200"
-    std::string what_differs; // in words
+    std::string name;          // "kept_gravity, h = 200"
+    std::string what_differs;  // in words
     Side reference, scaled;
     std::vector<Quantity> quantities;  // angle_of_repose, packing_fraction, coordination
     // equivalent: all three inside their margins; different: some interval wholly outside its margin.
     Answer answer;
-    bool must_differ;  // a control, made wrong on purpose: passing as equivalent would show that the test sees nothing
-    bool claims;  // enough seeds for 95 % power: otherwise intervals are shown and nothing is claimed
+    bool
+        must_differ;  // a control, made wrong on purpose: passing as equivalent would show that the test sees nothing
+    bool
+        claims;  // enough seeds for 95 % power: otherwise intervals are shown and nothing is claimed
 };
 
 struct SimilarityResult {
