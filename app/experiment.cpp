@@ -73,11 +73,7 @@ PileTask pile_task(const Case& c, const Experiment& e, const CommonOptions& o,
     const double grains = static_cast<double>(e.conditions.at("grains").count());
     if (!place.yes && grains > most_grains_unasked)
         refuse_cost(e, reports::count(grains) + " grains", "must not be more than 5e6 unasked");
-    // Below some thousand grains a thread costs more in waiting for the others than it saves, and
-    // on a busy machine far more.
-    constexpr int grains_per_thread = 2000;
-    const int worthwhile = 1 + static_cast<int>(grains / grains_per_thread);
-    const int threads = o.threads > 0 ? o.threads : std::min(threads_of(o), worthwhile);
+    const int threads = threads_of(o);
     PileTask task{.id = e.id,
                   .setup = rigs::pile_setup(c, e, o.seed),
                   .folder = place.folder,
