@@ -67,6 +67,33 @@ void refuse_unaffordable(const Experiment& e, const rigs::PileSetup& setup, int 
             "must not need more than 12 h unasked");
 }
 
+// A frame of 300 grains has some 60 kB; a slip of the unit would fill the disk with them.
+constexpr double most_frames_unasked = 1e4;
+
+void refuse_frames(const DumpPlan& plan, const rigs::PileSetup& setup, bool yes) {
+    if (plan.formats.empty()) return;
+    const std::string got = reports::quantity(plan.every, "s");
+    const double step = setup.time_step;
+    if (plan.every < step)
+        throw InvalidInput(
+            mistake("--dump-every", got,
+                    "must not be shorter than a time step, " + reports::quantity(step, "s"),
+                    "write a longer simulated time"));
+    const double run = static_cast<double>(rigs::expected_steps(setup)) * step;  // s
+    if (!yes && run / plan.every > most_frames_unasked)
+        throw InvalidInput(
+            mistake("--dump-every", got, "must not make more than 1e4 frames unasked",
+                    fmt::format("the run lasts some {}; write a longer time, or say --yes",
+                                reports::quantity(run, "s"))));
+}
+
+// Of the bytes of all files that decide the run.
+std::uint64_t files_of(const Case& c, const Experiment& e) {
+    std::uint64_t state = fingerprint_of(bytes_of(c.path));
+    for (const cases::Mesh& mesh : e.meshes) state = fingerprint_of(bytes_of(mesh.path), state);
+    return state;
+}
+
 PileTask pile_task(const Case& c, const Experiment& e, const CommonOptions& o,
                    const RunPlace& place) {
     refuse_endless(e);
@@ -78,10 +105,13 @@ PileTask pile_task(const Case& c, const Experiment& e, const CommonOptions& o,
                   .setup = rigs::pile_setup(c, e, o.seed),
                   .folder = place.folder,
                   .fingerprint = fingerprint_of(fmt::format("\n{} {} {}", e.id, o.seed, version),
-                                                fingerprint_of(bytes_of(c.path))),
+                                                files_of(c, e)),
                   .threads = threads,
                   .resume = o.resume,
-                  .progress = !o.quiet};
+                  .progress = !o.quiet,
+                  .dump = place.dump,
+                  .checkpoint_every = place.checkpoint_every};
+    refuse_frames(place.dump, task.setup, place.yes);
     if (!place.yes) refuse_unaffordable(e, task.setup, threads);
     return task;
 }
@@ -113,10 +143,13 @@ ExperimentRun pile_run(const PileTask& task) {
     const PileOutcome outcome = run_pile(task);
     ExperimentRun run{
         task.id, "pile", outcome.seconds, std::nullopt, {{"interrupted_at_step", outcome.steps}}};
+    run.dumps = outcome.dumps;
+    run.frames = outcome.frames;
     if (!outcome.record) return run;
     write_pile(task.folder, task.id, *outcome.record);
     run.section = reports::pile_section(task.id, *outcome.record);
     run.result = reports::to_json(*outcome.record);
+    run.forget = [task] { forget(task); };
     return run;
 }
 

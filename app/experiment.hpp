@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/common.hpp"
+#include "app/dump.hpp"
 #include "cases/case.hpp"
 #include "reports/runs.hpp"
 
@@ -21,17 +22,22 @@ struct ExperimentRun {
     double seconds;
     std::optional<reports::RunSection> section;  // none where interrupted
     reports::Json result;
+    std::vector<std::filesystem::path> dumps{};  // to open, one a format
+    std::size_t frames = 0;                      // in each of them
+    std::function<void()> forget = [] {};        // once all results are on disk: the checkpoint
 };
 
 struct RunPlace {
     std::filesystem::path folder;
     bool yes;  // run whatever it costs
+    DumpPlan dump{};
+    double checkpoint_every = 300.0;  // s of wall time
 };
 
 // Checks everything that can be wrong with the experiment now and returns what runs it later:
 // ID.csv with the rig's channels, ID-grains.csv of a pile. Throws scaling::InvalidInput for a rig
-// that cannot be simulated, for a pile that is fed without a count, and for a cost beyond a night
-// unless `yes`.
+// that cannot be simulated, for a pile that is fed without a count, for a cost beyond a night unless
+// `yes`, and for frames that lie closer than time steps. A drop has no frames.
 std::function<ExperimentRun()> prepared(const cases::Case&, const cases::Experiment&,
                                         const CommonOptions&, const RunPlace&);
 

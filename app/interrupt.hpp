@@ -5,8 +5,9 @@
 
 namespace app {
 
-// Set once SIGINT or SIGTERM has arrived; a second SIGINT ends the program at once. A signal can
-// reach nothing but an object of static storage, hence the one flag of the process.
+// Set once SIGINT or SIGTERM has arrived. Further ones change nothing, so that impatience does not
+// cost the checkpoint; SIGQUIT (Ctrl-\) ends at once. A signal can reach nothing but an object of
+// static storage, hence the one flag of the process.
 const std::atomic<bool>& interrupt_flag();
 
 void watch_interrupts();

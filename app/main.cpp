@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "app/bench.hpp"
 #include "app/exit_code.hpp"
 #include "app/scale.hpp"
 #include "app/simulate.hpp"
@@ -71,7 +72,8 @@ int main(int argc, char** argv) {
     const std::string command = command_line(argc, argv);
     const std::vector<app::Verb> verbs = {app::scale_verb(cli, command),
                                           app::simulate_verb(cli, command),
-                                          app::verify_verb(cli, command)};
+                                          app::verify_verb(cli, command),
+                                          app::bench_verb(cli, command)};
     try {
         cli.parse(argc, argv);
         for (const app::Verb& verb : verbs)

@@ -7,6 +7,7 @@
 #include "app/pile_task.hpp"
 #include "cases/messages.hpp"
 #include "cases/read_case.hpp"
+#include "cases/units.hpp"
 #include "reports/text.hpp"
 #include "scaling/errors.hpp"
 
@@ -29,6 +30,7 @@ using scaling::mistake;
 struct SimulateOptions {
     CommonOptions common;
     std::string path, experiment, out = "out";
+    std::string dump, dump_every, checkpoint_every = "5 min";
     bool yes = false;
 };
 
@@ -36,7 +38,9 @@ constexpr const char* examples = R"(Examples:
   similitude simulate my-powder --out runs/seed-3 --seed 3 --report runs/seed-3/pile.html
       all piles and drops of the case in the folder my-powder
   similitude simulate my-powder --out runs/seed-3 --seed 3 --resume
-      go on after an interrupt (Ctrl-C writes a checkpoint))";
+      go on after an interrupt (Ctrl-C writes a checkpoint)
+  similitude simulate my-powder --dump vtp,lammps --dump-every "5 ms"
+      frames for ParaView (out/ID.pvd), OVITO and LAMMPS (out/ID.lammpstrj))";
 
 std::vector<const Experiment*> chosen(const Case& c, const std::string& id) {
     std::vector<const Experiment*> all;
@@ -58,12 +62,17 @@ std::vector<const Experiment*> chosen(const Case& c, const std::string& id) {
 reports::Json json_of(const Case& c, const SimulateOptions& o,
                       const std::vector<ExperimentRun>& runs, const reports::Provenance& who) {
     reports::Json list = reports::Json::array();
-    for (const ExperimentRun& run : runs)
+    for (const ExperimentRun& run : runs) {
         list.push_back({{"experiment", run.id},
                         {"rig", run.rig},
                         {"wall_time", run.seconds},
                         {"finished", run.section.has_value()},
                         {"result", run.result}});
+        if (run.dumps.empty()) continue;
+        reports::Json files = reports::Json::array();
+        for (const auto& file : run.dumps) files.push_back(file.filename().string());
+        list.back()["dumps"] = {{"frames", run.frames}, {"files", std::move(files)}};
+    }
     const reports::Json input = {
         {"path", c.path}, {"fnv1a64", fmt::format("{:016x}", fingerprint_of(bytes_of(c.path)))}};
     return {{"format", "similitude-run/1"},
@@ -84,6 +93,9 @@ std::string text_of(const ExperimentRun& run) {
     text += "  " + reports::wrapped(section.verdict.why, 98, 2) + "\n";
     for (const std::string& note : section.notes)
         text += "  " + reports::wrapped(note, 98, 2) + "\n";
+    if (!run.dumps.empty()) text += fmt::format("  {} frames in", run.frames);
+    for (const auto& file : run.dumps) text += " " + file.string();
+    if (!run.dumps.empty()) text += "\n";
     if (section.quantities.empty()) return text;
     std::vector<bool> right(section.quantities.front().size(), true);
     right.front() = false;
@@ -112,11 +124,31 @@ reports::Page page_of(const Case& c, const std::vector<ExperimentRun>& runs,
     return page;
 }
 
+RunPlace place_of(const SimulateOptions& o) {
+    const double wall =
+        cases::quantity<scaling::Time>(o.checkpoint_every, "--checkpoint-every").value();
+    if (!(wall > 0.0))
+        throw InvalidInput(mistake("--checkpoint-every", cases::in_quotes(o.checkpoint_every),
+                                   "must be > 0", "write a wall time, such as \"5 min\""));
+    return {o.out, o.yes, dump_plan(o.dump, o.dump_every), wall};
+}
+
+void refuse_dump_without_pile(const std::vector<const Experiment*>& experiments,
+                              const RunPlace& p) {
+    if (p.dump.formats.empty()) return;
+    for (const Experiment* e : experiments)
+        if (e->rig == "pile") return;
+    throw InvalidInput(mistake("--dump", "no pile among the experiments", "must be of a pile",
+                               "the path of a drop stands in its ID.csv"));
+}
+
 int run(const SimulateOptions& o, const std::string& command) {
     const Case c = cases::read_case(o.path);
+    const RunPlace place = place_of(o);
+    const std::vector<const Experiment*> experiments = chosen(c, o.experiment);
+    refuse_dump_without_pile(experiments, place);
     std::vector<std::function<ExperimentRun()>> todo;
-    for (const Experiment* e : chosen(c, o.experiment))
-        todo.push_back(prepared(c, *e, o.common, {o.out, o.yes}));
+    for (const Experiment* e : experiments) todo.push_back(prepared(c, *e, o.common, place));
     std::filesystem::create_directories(o.out);
     watch_interrupts();
     std::vector<ExperimentRun> runs;
@@ -136,6 +168,8 @@ int run(const SimulateOptions& o, const std::string& command) {
     const reports::Json json = json_of(c, o, runs, who);
     write_file((std::filesystem::path(o.out) / "run.json").string(), reports::text_of(json));
     write_results(o.common, json, [&] { return page_of(c, runs, who); });
+    for (const ExperimentRun& r : runs)
+        if (whole) r.forget();
     return !whole ? interrupted : decided ? fine : cannot_tell;
 }
 
@@ -153,6 +187,17 @@ Verb simulate_verb(CLI::App& app, const std::string& command) {
         ->type_name("DIR")
         ->capture_default_str();
     verb->add_flag("--yes", options->yes, "run even where the estimate says more than 12 hours");
+    verb->add_option(
+            "--dump", options->dump,
+            "frames of the piles: lammps (also OVITO), vtp (ParaView), extxyz (OVITO, ASE)")
+        ->type_name("FORMAT[,FORMAT]");
+    verb->add_option("--dump-every", options->dump_every,
+                     "simulated time between two frames, with its unit: \"1 ms\"")
+        ->type_name("TIME");
+    verb->add_option("--checkpoint-every", options->checkpoint_every,
+                     "wall time between two checkpoints, with its unit")
+        ->type_name("TIME")
+        ->capture_default_str();
     add_common(*verb, options->common);
     verb->footer(examples);
     return {verb, [options, command] { return run(*options, command); }};

@@ -6,6 +6,7 @@
 #include "app/machine_speed.hpp"
 #include "app/progress.hpp"
 #include "app/scale_input.hpp"
+#include "app/verify_against.hpp"
 #include "cases/read_case.hpp"
 #include "reports/checks.hpp"
 #include "verify/exact_answers.hpp"
@@ -27,6 +28,7 @@ namespace {
 struct VerifyOptions {
     CommonOptions common;
     std::string path = "data/zirconia/case.json", out = "out";
+    std::string against;  // another engine; empty: none
     bool small = false, full = false, exact_only = false;
 };
 
@@ -34,7 +36,9 @@ constexpr const char* examples = R"(Examples:
   similitude verify data/zirconia/case.json --report out/zirconia.html
       exact answers, the same bits after rescaling, scaled heaps against reference heaps
   similitude verify --exact --json -
-      only the exact answers, in a few seconds)";
+      only the exact answers, in a few seconds
+  similitude verify --against lammps --report out/lammps.html
+      our core beside LAMMPS on the same rules; with --small without the heaps)";
 
 verify::Campaign campaign_of(const VerifyOptions& o, Progress& progress) {
     const std::filesystem::path remembered = std::filesystem::path(o.out) / "similitude-heaps";
@@ -106,6 +110,7 @@ int exit_code_of(reports::Answer answer) {
 }
 
 int run(const VerifyOptions& o, const std::string& command) {
+    if (!o.against.empty()) return verify_against(o.common, o.out, !o.small, command);
     std::optional<cases::Case> c;
     if (!o.exact_only) c = cases::read_case(o.path);
     watch_interrupts();
@@ -142,6 +147,10 @@ Verb verify_verb(CLI::App& app, const std::string& command) {
     auto* exact = verb->add_flag("--exact", options->exact_only, "no heaps");
     small->excludes(full)->excludes(exact);
     full->excludes(exact);
+    verb->add_option("--against", options->against, "our core beside another engine; no CASE")
+        ->check(CLI::IsMember({"lammps"}))
+        ->excludes(full)
+        ->excludes(exact);
     verb->add_option("--out", options->out, "folder in which finished heaps are remembered")
         ->type_name("DIR")
         ->capture_default_str();

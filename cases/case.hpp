@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cases/csv.hpp"
+#include "cases/stl.hpp"
 #include "cases/value.hpp"
 #include "scaling/quantities.hpp"
 #include "scaling/stated.hpp"
@@ -78,6 +79,7 @@ struct Experiment {
     Grain grain;
     Plate plate;
     Surroundings surroundings;
+    std::vector<Mesh> meshes;  // walls of the rig `pile`, in its own coordinates
     std::optional<Recording> recording;
     std::optional<Recording> simulated;   // the user's own run, same channels
     std::map<std::string, double> noise;  // channel -> standard deviation, SI

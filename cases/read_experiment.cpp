@@ -7,6 +7,8 @@
 #include "scaling/errors.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <filesystem>
 
 namespace cases {
@@ -44,6 +46,36 @@ std::optional<Recording> recording_of(const Value& experiment, const std::string
                "no file " + path.string() + "; check its name");
     }
     return read_recording(path.string(), rig.name);
+}
+
+// The condition `mesh`: one, or a list.
+std::vector<Mesh> meshes_of(const Value& conditions, const std::string& folder) {
+    if (!conditions.has("mesh")) return {};
+    const Value& given = conditions.at("mesh");
+    std::vector<Mesh> read;
+    for (const Value& mesh : given.kind == Value::Kind::list ? given.items : std::vector{given}) {
+        if (!mesh.has("unit")) {
+            throw scaling::InvalidInput(
+                scaling::mistake(mesh.where + ".unit", "nothing", "must be given",
+                                 "STL has no unit of its own; write \"unit\": \"mm\""));
+        }
+        const Value& unit = mesh.at("unit");
+        const double metres =
+            to_si("1 " + unit.text(), scaling::dimension_of<scaling::Length>(), unit.where);
+        const Value& name = mesh.at("file");
+        const std::filesystem::path path = std::filesystem::path(folder) / name.text();
+        if (!std::filesystem::is_regular_file(path)) {
+            refuse(name, "must be a file beside case.json",
+                   "no file " + path.string() + "; check its name");
+        }
+        read.push_back(read_stl(path.string(), metres));
+        if (!mesh.has("shift")) continue;
+        for (std::array<double, 3>& vertex : read.back().vertices) {
+            for (std::size_t k = 0; k < 3; ++k)
+                vertex[k] += mesh.at("shift").items[k].quantity<scaling::Length>().value();
+        }
+    }
+    return read;
 }
 
 std::map<std::string, double> read_noise(const Value& noise, const RigRule& rig) {
@@ -96,6 +128,7 @@ Experiment read_experiment(const Value& experiment, const Shared& shared, const 
     read.surroundings =
         read_surroundings(with_overrides(experiment, "surroundings", shared.surroundings));
     check_surroundings(experiment, read.surroundings, model);
+    read.meshes = meshes_of(read.conditions, shared.folder);
     read.recording = recording_of(experiment, "recording", shared.folder, rig);
     read.simulated = recording_of(experiment, "simulated", shared.folder, rig);
     if (experiment.has("noise")) read.noise = read_noise(experiment.at("noise"), rig);

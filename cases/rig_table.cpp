@@ -73,13 +73,19 @@ RigRule pile() {
                                  quantity("top_diameter", "m", Domain::positive, true),
                                  quantity("height", "m", Domain::positive, true),
                                  quantity("outlet_height", "m", Domain::positive, true)}};
+    Condition shift = quantity("shift", "m", Domain::any);
+    shift.in_list = 3;
+    Condition mesh{.name = "mesh",
+                   .members = {Condition{.name = "file", .required = true, .text = true},
+                               Condition{.name = "unit", .text = true}, std::move(shift)},
+                   .several = true};
     return {"pile",
             {word("base", {"flat", "flat_with_rim", "glued_grains"}, true),
              quantity("base_diameter", "m", Domain::positive, true), std::move(grains),
              quantity("rim_height", "m", Domain::positive),
              quantity("drop_height", "m", Domain::positive),
              quantity("feed_diameter", "m", Domain::positive),
-             quantity("feed_rate", "1/s", Domain::positive), std::move(funnel),
+             quantity("feed_rate", "1/s", Domain::positive), std::move(funnel), std::move(mesh),
              word("estimator", estimators, false)},
             {{"azimuth", {"rad"}},
              {"r", {"m"}},
@@ -124,8 +130,28 @@ RigRule drum() {
             {{"t", "angle"}, {"depth", "velocity"}}};
 }
 
+void check_condition(const Condition& rule, const Value& value);
+
+void check_list(const Condition& rule, const Value& list) {
+    Condition one = rule;
+    one.several = false;
+    one.in_list = 0;
+    if (list.kind != Value::Kind::list || list.items.empty() ||
+        (rule.in_list > 0 && list.items.size() != rule.in_list)) {
+        refuse(list,
+               "must be a list" + (rule.in_list > 0 ? " of " + std::to_string(rule.in_list)
+                                                    : std::string(" of one or more")),
+               "write [ ] around them, commas between");
+    }
+    for (const Value& item : list.items) check_condition(one, item);
+}
+
 void check_condition(const Condition& rule, const Value& value) {
-    if (!rule.members.empty()) {
+    if (rule.in_list > 0 || (rule.several && value.kind == Value::Kind::list)) {
+        check_list(rule, value);
+    } else if (rule.text) {
+        value.text();
+    } else if (!rule.members.empty()) {
         Words names;
         for (const Condition& member : rule.members) names.push_back(member.name);
         check_keys(value, names);
@@ -161,6 +187,14 @@ void one_of_two(const Value& conditions, const std::string& first, const std::st
 void check_pile(const Value& conditions) {
     if (conditions.at("base").text() != "flat_with_rim") {
         forbid(conditions, "rim_height", "must belong to the base flat_with_rim");
+    }
+    if (conditions.has("mesh") && !conditions.has("funnel")) {
+        for (const char* key : {"drop_height", "feed_diameter"}) {
+            if (conditions.has(key)) continue;
+            throw scaling::InvalidInput(scaling::mistake(conditions.where + "." + key, "nothing",
+                                                         "must be given beside a mesh",
+                                                         "say where the grains appear"));
+        }
     }
     if (!conditions.has("funnel")) return;
     forbid(conditions, "feed_diameter", "must not stand beside a funnel");
@@ -235,7 +269,8 @@ void check_conditions(const RigRule& rig, const Value& conditions) {
 bool needs_plate(const RigRule& rig, const Value& conditions) {
     if (rig.name == "pull_off") return conditions.at("counterpart").text() == "plate";
     if (rig.name == "pile")
-        return conditions.at("base").text() != "glued_grains" || conditions.has("funnel");
+        return conditions.at("base").text() != "glued_grains" || conditions.has("funnel") ||
+               conditions.has("mesh");
     return true;
 }
 

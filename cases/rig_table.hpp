@@ -5,12 +5,13 @@
 
 #include "cases/domain.hpp"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace cases {
 
-// One condition. Exactly one of the forms: a quantity (`unit`), a count, a word, a group; a quantity or count may
+// One condition. Exactly one of the forms: a quantity (`unit`), a count, a word, any text, a group; a quantity or count may
 // have words beside it ("instant").
 struct Condition {
     std::string name;
@@ -19,7 +20,10 @@ struct Condition {
     bool required = false;
     bool count = false;
     std::vector<std::string> words{};
+    bool text = false;                 // anything: the name of a file
     std::vector<Condition> members{};  // a group such as the funnel
+    bool several = false;              // one of these, or a list of them
+    std::size_t in_list = 0;           // a list of exactly so many of these
 };
 
 struct ChannelRule {

@@ -46,11 +46,12 @@ struct TangentialInput {
     double previous_radius;  // m, contact radius of the last step
     double contact_radius;   // m
     Vec3 n;
-    Vec3 slip_velocity;     // m/s
-    double cap_force;       // N, >= 0: what friction multiplies (contact/friction_cap.hpp)
-    double damping_factor;  // 2 sqrt(5/6) beta, from DampingTsuji1992
-    double m_star;          // kg
-    double dt;              // s
+    Vec3 slip_velocity;          // m/s
+    double cap_force;            // N, >= 0: what friction multiplies (contact/friction_cap.hpp)
+    double damping_factor;       // 2 sqrt(5/6) beta, from DampingTsuji1992
+    double m_star;               // kg
+    double dt;                   // s
+    double extra_dashpot = 0.0;  // kg/s beside Tsuji's, from DampingViscoelastic
 };
 
 struct TangentialState {

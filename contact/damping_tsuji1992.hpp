@@ -19,14 +19,12 @@ struct DampingTsuji1992 {
     // Throws InvalidParameter unless 0 <= restitution <= 1.
     static DampingTsuji1992 from(double restitution);
 
-    double constant(double stiffness, double m_star) const {  // kg/s, from N/m and kg
-        return factor * std::sqrt(stiffness * m_star);
-    }
+    // kg/s. The root of a m* is written so that a compiler takes it once for both.
     double normal(double e_star, double contact_radius, double m_star) const {
-        return constant(2.0 * e_star * contact_radius, m_star);
+        return factor * std::sqrt(2.0 * e_star) * std::sqrt(contact_radius * m_star);
     }
     double tangential(double g_star, double contact_radius, double m_star) const {
-        return constant(8.0 * g_star * contact_radius, m_star);
+        return factor * std::sqrt(8.0 * g_star) * std::sqrt(contact_radius * m_star);
     }
 };
 

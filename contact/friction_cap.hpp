@@ -16,7 +16,7 @@ enum class FrictionCap { elastic_plus_two_pull_off, total_plus_two_pull_off, rep
 // The part of an elastic force that repels: Hertz' pressure over the true contact radius, 4 E*
 // a^3/(3 R*). For Hertz it is the whole force. N, from Pa, m, m.
 inline double repulsive_force(double e_star, double r_star, double contact_radius) {
-    return 4.0 / 3.0 * e_star * contact_radius * contact_radius * contact_radius / r_star;
+    return 4.0 / 3.0 * e_star / r_star * (contact_radius * contact_radius * contact_radius);
 }
 
 // N, >= 0, from forces in N with the signs above.

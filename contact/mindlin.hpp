@@ -2,7 +2,8 @@
 // Mindlin: tangential force of an elastic contact that sticks until friction yields.
 //   xi <- turned into the contact plane, times a/a_prev where the contact shrinks, plus v_t dt
 //   F = -(k_t xi + c_t v_t),   k_t = 8 G* a,   |k_t xi| <= mu N and |F| <= mu N
-// xi spring, v_t slip velocity, c_t Tsuji's dashpot, N the cap force (contact/friction_cap.hpp).
+// xi spring, v_t slip velocity, c_t dashpots (contact/damping.hpp), N the cap force
+// (contact/friction_cap.hpp).
 // A spring beyond the limit is set back to it, and so is the sum of spring and dashpot: at full
 // sliding the dashpot adds nothing. Neither can give energy (contact/yield.hpp).
 // Rejected: the spring set back to (mu N - c_t v_t)/k_t, as LAMMPS does; where the dashpot alone
@@ -32,7 +33,9 @@ struct Mindlin {
     TangentialState step(const TangentialInput& in) const {
         const double limit = sliding_friction * in.cap_force;
         const double k = 8.0 * g_star * in.contact_radius;
-        const double c = DampingTsuji1992{in.damping_factor}.constant(k, in.m_star);
+        const double c =
+            DampingTsuji1992{in.damping_factor}.tangential(g_star, in.contact_radius, in.m_star) +
+            in.extra_dashpot;
         const double shrunk =
             in.contact_radius < in.previous_radius ? in.contact_radius / in.previous_radius : 1.0;
         const Vec3 start = shrunk * turned_into_plane(in.spring, in.n);

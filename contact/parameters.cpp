@@ -2,6 +2,7 @@
 // The doors from units to numbers, one per law, and the rules that their parameters obey.
 #include "contact/coulomb.hpp"
 #include "contact/damping_tsuji1992.hpp"
+#include "contact/damping_viscoelastic.hpp"
 #include "contact/effective.hpp"
 #include "contact/hertz.hpp"
 #include "contact/jkr.hpp"
@@ -95,6 +96,13 @@ DampingTsuji1992 DampingTsuji1992::from(double restitution) {
     return {.factor = 2.0 * std::sqrt(5.0 / 6.0) * beta};
 }
 
+DampingViscoelastic DampingViscoelastic::from(Eta eta, double tangential_ratio) {
+    return {
+        .eta = not_negative(eta.value(), "DampingViscoelastic.eta", "1/(m s)", "0 for none"),
+        .tangential_ratio = not_negative(tangential_ratio, "DampingViscoelastic.tangential_ratio",
+                                         "", "tangential over normal dashpot; 0 for none")};
+}
+
 Mindlin Mindlin::from(scaling::Pressure g_star, double sliding_friction) {
     return {.g_star = positive(g_star.value(), "Mindlin.g_star", "Pa", modulus_remedy),
             .sliding_friction = friction(sliding_friction, "Mindlin.sliding_friction")};
@@ -105,8 +113,10 @@ Coulomb Coulomb::from(double sliding_friction) {
 }
 
 TwistingMarshall2009 TwistingMarshall2009::from(scaling::Pressure g_star, double sliding_friction) {
-    return {.g_star = positive(g_star.value(), "TwistingMarshall2009.g_star", "Pa", "1/G* = sum 2 (2 - nu)(1 + nu)/E"),
-            .sliding_friction = friction(sliding_friction, "TwistingMarshall2009.sliding_friction")};
+    return {
+        .g_star = positive(g_star.value(), "TwistingMarshall2009.g_star", "Pa",
+                           "1/G* = sum 2 (2 - nu)(1 + nu)/E"),
+        .sliding_friction = friction(sliding_friction, "TwistingMarshall2009.sliding_friction")};
 }
 
 RollingEpsd RollingEpsd::from(double rolling_friction, double damping_ratio) {

@@ -26,12 +26,15 @@ inline double norm(Vec3 a) { return std::sqrt(dot(a, a)); }
 inline Vec3 tangential_part(Vec3 a, Vec3 n) { return a - dot(a, n) * n; }
 
 // `a` turned into the plane normal to `n`, its length kept: how a spring follows its contact as the
-// pair turns. A spring along n, which has no direction left in that plane, becomes zero.
+// pair turns. With x the square of the sine of that turn, |a|^2 x = (a.n)^2, the part of a in the
+// plane is too short by sqrt(1 - x), and 1/sqrt(1 - x) = 1 + x/2 + 3 x^2/8 + 5 x^3/16 + ...: within
+// 3e-9 for a turn by a tenth of a radian in one step. A spring along n, which has no direction left
+// in that plane, becomes zero.
 inline Vec3 turned_into_plane(Vec3 a, Vec3 n) {
-    const Vec3 t = tangential_part(a, n);
-    const double before = dot(a, a), after = dot(t, t);
-    const double stretch = after > 0.0 ? std::sqrt(before / after) : 0.0;
-    return stretch * t;
+    const double along = dot(a, n), square = dot(a, a);
+    const double x = square > 0.0 ? along * along / square : 0.0;
+    const double stretch = 1.0 + x * (0.5 + x * (0.375 + 0.3125 * x));
+    return stretch * (a - along * n);
 }
 
 }  // namespace contact

@@ -12,7 +12,7 @@ namespace dem_min {
 namespace {
 
 constexpr std::uint64_t format =
-    0x73696d696c2f3031;  // "simil/01": raise the last digit when the layout changes
+    0x73696d696c2f3032;  // "simil/02": raise the last digit when the layout changes
 
 struct Writer {
     std::ofstream& out;
@@ -59,11 +59,17 @@ void visit(Simulation& s, Visit&& each) {
     each(s.past);
     for (std::vector<double>* array : s.grains.arrays()) each(*array);
     each(s.grains.id);
-    for (Contacts* contacts : {&s.pairs, &s.wall_contacts}) {
-        each(contacts->i);
-        each(contacts->j);
-        each(contacts->candidate);
-        for (std::vector<double>* array : contacts->arrays()) each(*array);
+    each(s.grains.material);
+    fit_tiles(s);  // none before the first step
+    for (Tile& tile : s.tiles) {
+        each(tile.ended);
+        for (Contacts& group : tile.groups) {
+            each(group.i);
+            each(group.j);
+            each(group.alike);
+            each(group.common);
+            for (std::vector<double>* array : group.arrays()) each(*array);
+        }
     }
 }
 
@@ -88,6 +94,7 @@ void write_checkpoint(const Simulation& simulation, const std::filesystem::path&
 void read_checkpoint(Simulation& simulation, const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     Simulation read = simulation;
+    read.tiles.clear();
     std::uint64_t first = 0, last = 0;
     if (in) {
         Reader reader{in, std::filesystem::file_size(file)};
@@ -99,7 +106,7 @@ void read_checkpoint(Simulation& simulation, const std::filesystem::path& file) 
         throw scaling::InvalidInput(scaling::mistake(file.string(), "no whole checkpoint",
                                                      "must be one of this version",
                                                      "delete it to start the run anew"));
-    read.neighbours.stale = true;
+    read.list_is_stale = true;
     simulation = std::move(read);
 }
 

@@ -2,6 +2,26 @@
 #include "dem_min/contacts.hpp"
 
 namespace dem_min {
+namespace {
+
+template <class Visit>
+void visit_state(auto& c, Visit&& each) {
+    for (auto* array : {&c.r_star, &c.m_star, &c.length_scale, &c.sx, &c.sy, &c.sz, &c.rx, &c.ry,
+                        &c.rz, &c.twist, &c.previous_radius, &c.overlap})
+        each(*array);
+}
+
+template <class Visit>
+void visit_books(auto& b, Visit&& each) {
+    for (auto* array : {&b.nx, &b.ny, &b.nz, &b.dashpot, &b.fx, &b.fy, &b.fz, &b.tix, &b.tiy,
+                        &b.tiz, &b.tjx, &b.tjy, &b.tjz, &b.heat_normal, &b.heat_tangential,
+                        &b.heat_rolling, &b.stored_tangential, &b.stored_rolling})
+        each(*array);
+}
+
+bool has_books(const Contacts& c) { return c.books.nx.size() == c.count() && c.count() > 0; }
+
+}  // namespace
 
 Dissipation& Dissipation::operator+=(const Dissipation& other) {
     normal_dashpot += other.normal_dashpot;
@@ -11,66 +31,59 @@ Dissipation& Dissipation::operator+=(const Dissipation& other) {
     return *this;
 }
 
-std::array<std::vector<double>*, 35> Contacts::arrays() {
-    return {&r_i,
-            &r_j,
-            &r_star,
-            &m_star,
-            &length_scale,
-            &inverse_inertia_i,
-            &inverse_inertia_j,
-            &tear_off_overlap,
-            &sx,
-            &sy,
-            &sz,
-            &rx,
-            &ry,
-            &rz,
-            &twist,
-            &previous_radius,
-            &overlap,
-            &nx,
-            &ny,
-            &nz,
-            &dashpot,
-            &fx,
-            &fy,
-            &fz,
-            &tix,
-            &tiy,
-            &tiz,
-            &tjx,
-            &tjy,
-            &tjz,
-            &heat_normal,
-            &heat_tangential,
-            &heat_rolling,
-            &stored_tangential,
-            &stored_rolling};
+std::vector<std::vector<double>*> Contacts::arrays() {
+    std::vector<std::vector<double>*> all;
+    visit_state(*this, [&](auto& array) { all.push_back(&array); });
+    visit_books(books, [&](auto& array) { all.push_back(&array); });
+    return all;
 }
 
-void Contacts::add(int grain_i, int partner_j, int candidate_index,
-                   const ContactConstants& constants) {
+std::vector<const std::vector<double>*> Contacts::arrays() const {
+    std::vector<const std::vector<double>*> all;
+    visit_state(*this, [&](auto& array) { all.push_back(&array); });
+    visit_books(books, [&](auto& array) { all.push_back(&array); });
+    return all;
+}
+
+void Contacts::add(int grain_i, int partner_j, const ContactConstants& constants, bool with_books) {
+    if (count() == 0) alike = true, common = constants;
+    alike = alike && constants == common;
+    const auto push_zero = [](std::vector<double>& array) { array.push_back(0.0); };
+    visit_state(*this, push_zero);
+    if (with_books) visit_books(books, push_zero);
     i.push_back(grain_i);
     j.push_back(partner_j);
-    candidate.push_back(candidate_index);
-    for (std::vector<double>* array : arrays()) array->push_back(0.0);
-    const std::size_t c = count() - 1;
-    r_i[c] = constants.r_i;
-    r_j[c] = constants.r_j;
-    r_star[c] = constants.r_star;
-    m_star[c] = constants.m_star;
-    length_scale[c] = constants.length_scale;
-    inverse_inertia_i[c] = constants.inverse_inertia_i;
-    inverse_inertia_j[c] = constants.inverse_inertia_j;
-    tear_off_overlap[c] = constants.tear_off_overlap;
+    r_star.back() = constants.r_star;
+    m_star.back() = constants.m_star;
+    length_scale.back() = constants.length_scale;
+}
+
+void Contacts::add_copy(const Contacts& other, std::size_t slot, int grain_i, int partner_j) {
+    if (count() == 0) alike = other.alike, common = other.common;
+    alike = alike && other.alike && other.common == common;
+    const auto to = arrays();
+    const auto from = other.arrays();
+    for (std::size_t a = 0; a < to.size(); ++a)
+        if (!from[a]->empty()) to[a]->push_back((*from[a])[slot]);
+    i.push_back(grain_i);
+    j.push_back(partner_j);
 }
 
 void Contacts::remove(std::size_t slot) {
+    const auto take_last = [slot](std::vector<double>& array) {
+        array[slot] = array.back();
+        array.pop_back();
+    };
+    if (has_books(*this)) visit_books(books, take_last);
+    visit_state(*this, take_last);
     i[slot] = i.back(), i.pop_back();
     j[slot] = j.back(), j.pop_back();
-    candidate[slot] = candidate.back(), candidate.pop_back();
-    for (std::vector<double>* array : arrays()) (*array)[slot] = array->back(), array->pop_back();
+}
+
+void Contacts::clear() {
+    for (std::vector<double>* array : arrays()) array->clear();
+    i.clear(), j.clear();
+    alike = true;
 }
 
 }  // namespace dem_min

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The contacts that exist now, as a structure of arrays. Shape of every array: [count()]. A contact keeps its slot until
-// it ends; then the last one moves into the gap. No sum depends on the order of slots: see Incidence in neighbours.hpp.
+// Contacts that exist now, as a structure of arrays. Shape of every array: [count()]. A contact keeps its slot until it
+// ends; then the last one moves into the gap. Forces are summed in the order of slots: see tiles.hpp.
 #pragma once
 
 #include "contact/vec3.hpp"
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -15,12 +14,12 @@ using contact::Vec3;
 
 // What a pair keeps from birth to end.
 struct ContactConstants {
-    double r_i, r_j;      // m; r_j is infinite at a wall
+    double r_i, r_j;      // m; r_j is 0 at a wall, whose surface is where the distance ends
     double r_star;        // m
     double m_star;        // kg; a wall and a fixed grain count as infinitely heavy
     double length_scale;  // m, of the normal law
     double inverse_inertia_i, inverse_inertia_j;  // 1/(kg m^2)
-    double tear_off_overlap;                      // m, <= 0
+    friend bool operator==(const ContactConstants&, const ContactConstants&) = default;
 };
 
 // Energy that a contact has turned into heat so far, J (only while the ledger is on).
@@ -30,27 +29,36 @@ struct Dissipation {
     Dissipation& operator+=(const Dissipation&);
 };
 
-struct Contacts {
-    std::vector<int> i, j;  // grains; in the list of wall contacts j is the wall
-    std::vector<int>
-        candidate;  // its place in the neighbour list; -1: beyond the reach of the list, about to end
-    std::vector<double> r_i, r_j, r_star, m_star, length_scale, inverse_inertia_i,
-        inverse_inertia_j, tear_off_overlap;
-    // History: tangential spring (m), rolling spring (rad or m, as the law says), twist (rad), contact radius of the last step (m).
-    std::vector<double> sx, sy, sz, rx, ry, rz, twist, previous_radius;
-    std::vector<double> overlap;              // m, of the last force evaluation
-    std::vector<double> nx, ny, nz, dashpot;  // unit normal; N, normal damping force; both likewise
-    std::vector<double> fx, fy, fz;           // N, on j
-    std::vector<double> tix, tiy, tiz, tjx, tjy, tjz;                // N m
+// What the energy ledger remembers of each contact; empty while it is off.
+struct ContactBooks {
+    std::vector<double> nx, ny, nz, dashpot;           // unit normal; N, normal damping force
+    std::vector<double> fx, fy, fz;                    // N, on j
+    std::vector<double> tix, tiy, tiz, tjx, tjy, tjz;  // N m
     std::vector<double> heat_normal, heat_tangential, heat_rolling;  // J, sums since birth
-    std::vector<double> stored_tangential,
-        stored_rolling;  // J; rolling includes twisting, in heat too
+    std::vector<double> stored_tangential, stored_rolling;           // J; rolling includes twisting
+};
+
+struct Contacts {
+    std::vector<int> i, j;  // grains; at a wall j is the wall
+    std::vector<double> r_star, m_star, length_scale;
+    // History: tangential spring (m), rolling spring (rad or m, as the law says), twist (rad), contact radius of the
+    // last step (m).
+    std::vector<double> sx, sy, sz, rx, ry, rz, twist, previous_radius;
+    std::vector<double> overlap;  // m, of the last force evaluation
+    ContactBooks books;
+
+    // True while all contacts have had the same constants: they are `common` then, and loops need not read them.
+    bool alike = true;
+    ContactConstants common{};
 
     std::size_t count() const { return i.size(); }
-    void add(int grain_i, int partner_j, int candidate_index, const ContactConstants&);
+    void add(int grain_i, int partner_j, const ContactConstants&, bool with_books);
+    void add_copy(const Contacts& other, std::size_t slot, int grain_i, int partner_j);
     void remove(std::size_t slot);  // the last contact takes the slot
+    void clear();
 
-    std::array<std::vector<double>*, 35> arrays();
+    std::vector<std::vector<double>*> arrays();  // books too
+    std::vector<const std::vector<double>*> arrays() const;
 };
 
 }  // namespace dem_min

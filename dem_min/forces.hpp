@@ -4,82 +4,91 @@
 
 #include "dem_min/simulation.hpp"
 
+#include <limits>
+
 namespace dem_min {
 
-ContactConstants pair_constants(const Simulation&, std::size_t i, std::size_t j);
-ContactConstants wall_constants(const Simulation&, std::size_t i);
+// The way from grain i to grain j, m; the shortest one where the box repeats itself.
+inline double nearest_image(double way, double period, double inverse_period) {
+    const double half = way < 0.0 ? -0.5 : 0.5;
+    return way - period * static_cast<double>(static_cast<int>(way * inverse_period + half));
+}
+inline Vec3 apart(const Simulation& s, std::size_t i, std::size_t j) {
+    const Particles& p = s.grains;
+    Vec3 way{p.x[j] - p.x[i], p.y[j] - p.y[i], p.z[j] - p.z[i]};
+    const double lx = s.settings.period_x, ly = s.settings.period_y;
+    if (lx > 0.0) way.x = nearest_image(way.x, lx, 1.0 / lx);
+    if (ly > 0.0) way.y = nearest_image(way.y, ly, 1.0 / ly);
+    return way;
+}
+
+std::size_t group_of_pair(const Simulation&, std::size_t i, std::size_t j);
+std::size_t group_of_wall(const Simulation&, std::size_t i, std::size_t wall);
+ContactConstants pair_constants(const Simulation&, const Laws&, std::size_t i, std::size_t j);
+ContactConstants wall_constants(const Simulation&, const Laws&, std::size_t i);
 
 double potential_of_gravity(const Simulation&, std::size_t grain);  // J, zero at the origin
 double kinetic_energy(const Particles&, std::size_t grain);         // J, 0 for a fixed grain
 double stored_energy(const Laws&, const Contacts&,
                      std::size_t slot);  // J, elastic, of all springs (ledger on)
 Dissipation heat_so_far(const Contacts&, std::size_t slot);  // J, since the birth of the contact
+Dissipation heat_of_end(const Laws&, const Contacts&,
+                        std::size_t slot);  // J, all that it leaves behind
 
-// Motion of a pair, or of a grain and a wall, at the grains' present positions. Their velocities are half a step older, as in
-// LAMMPS: what dashpots dissipate is then first order in the step. Velocities extrapolated to the same instant make it second
-// order, but halve the damping that a step can bear, and at e = 0.2 a loose heap of soft grains blew up.
-inline Motion pair_motion(const Particles& p, std::size_t i, std::size_t j) {
-    const Vec3 apart{p.x[j] - p.x[i], p.y[j] - p.y[i], p.z[j] - p.z[i]};
-    const double d = contact::norm(apart);
-    const Vec3 n = (1.0 / d) * apart;
-    const double overlap = (p.radius[i] + p.radius[j]) - d;
-    const double lever_i = p.radius[i] - 0.5 * overlap, lever_j = p.radius[j] - 0.5 * overlap;
-    const Vec3 spin_i{p.wx[i], p.wy[i], p.wz[i]}, spin_j{p.wx[j], p.wy[j], p.wz[j]};
-    const Vec3 relative{p.vx[j] - p.vx[i], p.vy[j] - p.vy[i], p.vz[j] - p.vz[i]};
-    const Vec3 slip = contact::tangential_part(relative, n) -
-                      contact::cross(lever_i * spin_i + lever_j * spin_j, n);
-    return {n, overlap, -contact::dot(relative, n), slip, spin_i, spin_j, lever_i, lever_j};
-}
-
-inline Motion wall_motion(const Particles& p, std::size_t i, const WallDistance& wall) {
-    const double overlap = p.radius[i] - wall.distance;
-    const double lever = p.radius[i] - 0.5 * overlap;
-    const Vec3 spin{p.wx[i], p.wy[i], p.wz[i]};
-    const Vec3 relative{-p.vx[i], -p.vy[i], -p.vz[i]};
-    const Vec3 slip =
-        contact::tangential_part(relative, wall.n) - contact::cross(lever * spin, wall.n);
-    return {wall.n, overlap, -contact::dot(relative, wall.n), slip, spin, {}, lever, 0.0};
-}
-
-// Contacts are worked on in blocks: the motion of a block is gathered first, then its laws are evaluated in one loop without
-// branches that the compiler turns into vectors. 64 contacts fit the first-level cache with all that they need.
+// Contacts are worked on in blocks: what they need of their grains is gathered first, then their laws are evaluated in loops
+// without branches that the compiler turns into vectors. 64 contacts fit the first-level cache with all that they need.
 constexpr int block_size = 64;
 
-struct MotionBlock {  // shape of each: [block_size]
-    double nx[block_size], ny[block_size], nz[block_size], overlap[block_size],
-        approach_speed[block_size];
-    double slip_x[block_size], slip_y[block_size], slip_z[block_size];
-    double spin_ix[block_size], spin_iy[block_size], spin_iz[block_size];
-    double spin_jx[block_size], spin_jy[block_size], spin_jz[block_size];
-    double lever_i[block_size], lever_j[block_size];
+// The overlap of a contact that a mesh has handed from one patch to another (mesh.hpp): it ends, but nothing tears.
+constexpr double handed_over = -std::numeric_limits<double>::infinity();
 
-    void set(int k, const Motion&);
-    Motion get(int k) const {
-        return {{nx[k], ny[k], nz[k]},
-                overlap[k],
-                approach_speed[k],
-                {slip_x[k], slip_y[k], slip_z[k]},
-                {spin_ix[k], spin_iy[k], spin_iz[k]},
-                {spin_jx[k], spin_jy[k], spin_jz[k]},
-                lever_i[k],
-                lever_j[k]};
-    }
+struct Block {  // shape of each: [block_size]
+    double nx[block_size], ny[block_size],
+        nz[block_size];           // m, from i to j; `aim` makes it a unit vector
+    double distance[block_size];  // m
+    double ux[block_size], uy[block_size], uz[block_size];  // m/s, v_j - v_i
+    double ix[block_size], iy[block_size], iz[block_size];  // rad/s, spin of i
+    double jx[block_size], jy[block_size], jz[block_size];  // rad/s, spin of j
+    double r_i[block_size], r_j[block_size];                // m; not filled where all are alike
+    double inverse_inertia_i[block_size], inverse_inertia_j[block_size];  // 1/(kg m^2); likewise
+    // What comes out.
+    double fx[block_size], fy[block_size], fz[block_size];     // N, on j
+    double tix[block_size], tiy[block_size], tiz[block_size];  // N m
+    double tjx[block_size], tjy[block_size], tjz[block_size];
+    double hold[block_size];  // m, overlap less that of tear-off: below 0 the contact has ended
 };
 
-// Loads and histories of the contacts [first, first + size); size <= block_size.
-void load_block(const Laws&, Contacts&, std::size_t first, int size, const MotionBlock&,
-                const Settings&);
+// Fills the block with the motion of contacts [first, first + size) of a group; size <= block_size. Velocities are half a step
+// old. Extrapolated to the time of the force they would make dashpots second order, but halve the damping that a step can bear,
+// and at e = 0.2 a loose heap of soft grains blew up.
+void gather_pairs(const Simulation&, const Contacts&, std::size_t first, int size, Block&);
+void gather_walls(const Simulation&, const Contacts&, std::size_t first, int size, Block&);
 
-// First half of a step: half a kick and the drift.
-void kick_and_drift(Simulation&);
-// Second half: sums the loads of each grain in canonical order, adds gravity, half a kick.
-void gather_and_kick(Simulation&);
+// Loads and histories of those contacts.
+void load_block(const Laws&, Contacts&, std::size_t first, int size, Block&, const Settings&);
 
-// Takes out the grains below `lost_below`, with their contacts. Only here do indices change.
+// What one tile does before it loads its contacts, and after.
+void begin_pair(Simulation&, std::size_t i, std::size_t j);
+void begin_wall_contact(Simulation&, std::size_t i, std::size_t wall);
+
+std::size_t first_of(std::size_t tile);  // grain
+int grains_of(const Simulation&, std::size_t tile);
+
+// First half of a step for the grains of a tile: half a kick and the drift.
+struct Drift {
+    double fastest, fastest_in_frame;  // m/s, the latter against Simulation::frame
+    bool lost, bad;  // some grain is below `lost_below`; some velocity is infinite or no number
+    Vec3 sum_of_velocities;  // m/s
+};
+Drift begin_step(Simulation&, std::size_t tile);
+// Second half: loads that other tiles hold, weight, half a kick.
+void end_step(Simulation&, std::size_t tile);
+// Both, of one step and of the next, in one walk over the grains.
+Drift end_and_begin_step(Simulation&, std::size_t tile);
+
+// Takes out the grains below `lost_below`, with their contacts.
 void remove_lost(Simulation&);
-
-// Ends contact `slot`: its springs and its hold become heat. `list` may be null (reference step).
-void end_contact(Past&, const Laws&, Contacts&, std::size_t slot, CandidateList* list,
-                 bool with_ledger);
+// What both steps do now and then: see reorder_interval.
+bool time_to_reorder(const Simulation&);
 
 }  // namespace dem_min

@@ -5,12 +5,13 @@
 
 #include "contact/concepts.hpp"
 #include "contact/coulomb.hpp"
-#include "contact/damping_tsuji1992.hpp"
+#include "contact/damping.hpp"
 #include "contact/friction_cap.hpp"
 #include "contact/hertz.hpp"
 #include "contact/jkr.hpp"
 #include "contact/mindlin.hpp"
 #include "contact/no_rolling.hpp"
+#include "contact/no_twisting.hpp"
 #include "contact/rolling_edem_standard.hpp"
 #include "contact/rolling_epsd.hpp"
 #include "contact/rolling_rvd.hpp"
@@ -24,14 +25,15 @@
 
 namespace dem_min {
 
-template <contact::NormalLaw Normal, contact::TangentialLaw Tangential, contact::RollingLaw Rolling>
+template <contact::NormalLaw Normal, contact::TangentialLaw Tangential, contact::RollingLaw Rolling,
+          class Twisting>
 struct Interaction {
     Normal normal;
     Tangential tangential;
     Rolling rolling;
-    contact::DampingTsuji1992 damping;
+    contact::Damping damping;
     contact::FrictionCap friction_cap = contact::FrictionCap::elastic_plus_two_pull_off;
-    contact::TwistingMarshall2009 twisting{0.0, 0.0};  // G* = 0: none
+    Twisting twisting;
 };
 
 using AnyNormal = std::variant<contact::Hertz, contact::Jkr>;
@@ -44,7 +46,7 @@ struct Laws {
     AnyNormal normal;
     AnyTangential tangential;
     AnyRolling rolling;
-    contact::DampingTsuji1992 damping;
+    contact::Damping damping;
     contact::FrictionCap friction_cap = contact::FrictionCap::elastic_plus_two_pull_off;
     contact::TwistingMarshall2009 twisting{0.0, 0.0};  // G* = 0: none
 };
@@ -53,12 +55,15 @@ template <class Function>
 decltype(auto) with_laws(const Laws& laws, Function&& function) {
     return std::visit(
         [&](const auto& normal, const auto& tangential, const auto& rolling) {
-            // Spelt out: clang 14 does not deduce the arguments of an aggregate.
-            using Typed =
-                Interaction<std::decay_t<decltype(normal)>, std::decay_t<decltype(tangential)>,
-                            std::decay_t<decltype(rolling)>>;
-            return function(
-                Typed{normal, tangential, rolling, laws.damping, laws.friction_cap, laws.twisting});
+            const auto typed = [&](const auto& twisting) {
+                // Spelt out: clang 14 does not deduce the arguments of an aggregate.
+                using Typed =
+                    Interaction<std::decay_t<decltype(normal)>, std::decay_t<decltype(tangential)>,
+                                std::decay_t<decltype(rolling)>, std::decay_t<decltype(twisting)>>;
+                return function(
+                    Typed{normal, tangential, rolling, laws.damping, laws.friction_cap, twisting});
+            };
+            return laws.twisting.g_star > 0.0 ? typed(laws.twisting) : typed(contact::NoTwisting{});
         },
         laws.normal, laws.tangential, laws.rolling);
 }
@@ -88,9 +93,9 @@ struct Load {
     double stored_tangential, stored_rolling;  // J
 };
 
-template <class Normal, class Tangential, class Rolling>
-inline Load evaluate(const Interaction<Normal, Tangential, Rolling>& law, const ContactConstants& c,
-                     const Motion& m, const History& h, double dt) {
+template <class Normal, class Tangential, class Rolling, class Twisting>
+inline Load evaluate(const Interaction<Normal, Tangential, Rolling, Twisting>& law,
+                     const ContactConstants& c, const Motion& m, const History& h, double dt) {
     const contact::NormalState elastic = law.normal.at(c.r_star, c.length_scale, m.overlap);
     const double a = elastic.contact_radius;
     const double normal_damping = law.damping.normal(law.normal.e_star, a, c.m_star);
@@ -98,15 +103,18 @@ inline Load evaluate(const Interaction<Normal, Tangential, Rolling>& law, const 
     const double repulsive = contact::repulsive_force(law.normal.e_star, c.r_star, a);
     const double cap = contact::cap_force(law.friction_cap, elastic.force, dashpot,
                                           law.normal.pull_off_force(c.r_star), repulsive);
-    const contact::TangentialState slip = law.tangential.step({.spring = h.tangential_spring,
-                                                               .previous_radius = h.previous_radius,
-                                                               .contact_radius = a,
-                                                               .n = m.n,
-                                                               .slip_velocity = m.slip_velocity,
-                                                               .cap_force = cap,
-                                                               .damping_factor = law.damping.factor,
-                                                               .m_star = c.m_star,
-                                                               .dt = dt});
+    const double extra_dashpot = law.damping.viscoelastic.tangential(a, c.m_star);
+    const contact::TangentialState slip =
+        law.tangential.step({.spring = h.tangential_spring,
+                             .previous_radius = h.previous_radius,
+                             .contact_radius = a,
+                             .n = m.n,
+                             .slip_velocity = m.slip_velocity,
+                             .cap_force = cap,
+                             .damping_factor = law.damping.tsuji.factor,
+                             .m_star = c.m_star,
+                             .dt = dt,
+                             .extra_dashpot = extra_dashpot});
     const contact::RollingState roll = law.rolling.step({.spring = h.rolling_spring,
                                                          .n = m.n,
                                                          .spin_i = m.spin_i,
@@ -127,9 +135,10 @@ inline Load evaluate(const Interaction<Normal, Tangential, Rolling>& law, const 
                            .contact_radius = a,
                            .spin = contact::dot(m.spin_j - m.spin_i, m.n),
                            .cap_force = cap,
-                           .damping_factor = law.damping.factor,
+                           .damping_factor = law.damping.tsuji.factor,
                            .m_star = c.m_star,
-                           .dt = dt});
+                           .dt = dt,
+                           .extra_dashpot = extra_dashpot});
     const Vec3 moment = contact::cross(m.n, slip.force_on_j), screw = twist.torque_on_j * m.n;
     return {.force_on_j = (elastic.force + dashpot) * m.n + slip.force_on_j,
             .torque_on_i = roll.torque_on_i - screw - m.lever_i * moment,

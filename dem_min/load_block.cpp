@@ -1,55 +1,82 @@
 // SPDX-License-Identifier: MIT
 #include "dem_min/forces.hpp"
+#include "dem_min/vector_clones.hpp"
 
 namespace dem_min {
 namespace {
 
 // Where a block of contacts stands in memory. Raw pointers, so that the loop below sees that nothing moves.
 struct Slots {
-    const double *r_i, *r_j, *r_star, *m_star, *length_scale, *inverse_inertia_i,
-        *inverse_inertia_j, *tear_off_overlap;
-    double *sx, *sy, *sz, *rx, *ry, *rz, *twist, *previous_radius, *overlap, *nx, *ny, *nz,
-        *dashpot;
+    const double *r_star, *m_star, *length_scale;
+    double *sx, *sy, *sz, *rx, *ry, *rz, *twist, *previous_radius, *overlap;
+};
+
+struct BookSlots {
+    double *nx, *ny, *nz, *dashpot;
     double *fx, *fy, *fz, *tix, *tiy, *tiz, *tjx, *tjy, *tjz;
     double *heat_normal, *heat_tangential, *heat_rolling, *stored_tangential, *stored_rolling;
 };
 
-Slots slots(Contacts& c, std::size_t first) {
-    return {&c.r_i[first],
-            &c.r_j[first],
-            &c.r_star[first],
-            &c.m_star[first],
-            &c.length_scale[first],
-            &c.inverse_inertia_i[first],
-            &c.inverse_inertia_j[first],
-            &c.tear_off_overlap[first],
-            &c.sx[first],
-            &c.sy[first],
-            &c.sz[first],
-            &c.rx[first],
-            &c.ry[first],
-            &c.rz[first],
-            &c.twist[first],
-            &c.previous_radius[first],
-            &c.overlap[first],
-            &c.nx[first],
-            &c.ny[first],
-            &c.nz[first],
-            &c.dashpot[first],
-            &c.fx[first],
-            &c.fy[first],
-            &c.fz[first],
-            &c.tix[first],
-            &c.tiy[first],
-            &c.tiz[first],
-            &c.tjx[first],
-            &c.tjy[first],
-            &c.tjz[first],
-            &c.heat_normal[first],
-            &c.heat_tangential[first],
-            &c.heat_rolling[first],
-            &c.stored_tangential[first],
-            &c.stored_rolling[first]};
+Slots slots(Contacts& c, std::size_t k) {
+    return {&c.r_star[k],
+            &c.m_star[k],
+            &c.length_scale[k],
+            &c.sx[k],
+            &c.sy[k],
+            &c.sz[k],
+            &c.rx[k],
+            &c.ry[k],
+            &c.rz[k],
+            &c.twist[k],
+            &c.previous_radius[k],
+            &c.overlap[k]};
+}
+
+BookSlots slots(ContactBooks& b, std::size_t k) {
+    return {&b.nx[k],
+            &b.ny[k],
+            &b.nz[k],
+            &b.dashpot[k],
+            &b.fx[k],
+            &b.fy[k],
+            &b.fz[k],
+            &b.tix[k],
+            &b.tiy[k],
+            &b.tiz[k],
+            &b.tjx[k],
+            &b.tjy[k],
+            &b.tjz[k],
+            &b.heat_normal[k],
+            &b.heat_tangential[k],
+            &b.heat_rolling[k],
+            &b.stored_tangential[k],
+            &b.stored_rolling[k]};
+}
+
+SIMILITUDE_VECTOR_CLONES void fold(double* way, int size, double period) {
+    const double inverse = 1.0 / period;
+    for (int k = 0; k < size; ++k) way[k] = nearest_image(way[k], period, inverse);
+}
+
+SIMILITUDE_VECTOR_CLONES void aim(Block& b, int size) {
+    for (int k = 0; k < size; ++k) {
+        const Vec3 apart{b.nx[k], b.ny[k], b.nz[k]};
+        const double d = contact::norm(apart);
+        const Vec3 n = (1.0 / d) * apart;
+        b.nx[k] = n.x, b.ny[k] = n.y, b.nz[k] = n.z;
+        b.distance[k] = d;
+    }
+}
+
+inline Motion motion(const Block& b, int k, double r_i, double r_j) {
+    const Vec3 n{b.nx[k], b.ny[k], b.nz[k]};
+    const double overlap = (r_i + r_j) - b.distance[k];
+    const double lever_i = r_i - 0.5 * overlap, lever_j = r_j - 0.5 * overlap;
+    const Vec3 spin_i{b.ix[k], b.iy[k], b.iz[k]}, spin_j{b.jx[k], b.jy[k], b.jz[k]};
+    const Vec3 relative{b.ux[k], b.uy[k], b.uz[k]};
+    const Vec3 slip = contact::tangential_part(relative, n) -
+                      contact::cross(lever_i * spin_i + lever_j * spin_j, n);
+    return {n, overlap, -contact::dot(relative, n), slip, spin_i, spin_j, lever_i, lever_j};
 }
 
 // What resists sliding and rolling, taken out of the loads of a contact with normal `n`.
@@ -69,87 +96,155 @@ inline Resistance resistance(Vec3 force_on_j, Vec3 torque_on_i, Vec3 torque_on_j
 // Over that way each load acts for half a step with its old and for half a step with its new value: their mean times the way
 // is the work that the motion lost, exactly, and what springs do not keep of it is heat. The laws' own count of a step takes
 // the new value for the whole way, an error of first order in the step.
-inline void add_heat(const Slots& c, int k, const Motion& m, const Load& load, double dt) {
-    const double lever_j_before = m.lever_j > 0.0 ? c.r_j[k] - 0.5 * c.overlap[k] : 0.0;
+inline void add_heat(const Slots& c, const BookSlots& b, int k, double r_i, double r_j,
+                     const Motion& m, const Load& load, double hold, double dt) {
+    if (m.overlap == handed_over) return;
+    const double lever_j_before = m.lever_j > 0.0 ? r_j - 0.5 * c.overlap[k] : 0.0;
     const Resistance before = resistance(
-        {c.fx[k], c.fy[k], c.fz[k]}, {c.tix[k], c.tiy[k], c.tiz[k]}, {c.tjx[k], c.tjy[k], c.tjz[k]},
-        {c.nx[k], c.ny[k], c.nz[k]}, c.r_i[k] - 0.5 * c.overlap[k], lever_j_before);
+        {b.fx[k], b.fy[k], b.fz[k]}, {b.tix[k], b.tiy[k], b.tiz[k]}, {b.tjx[k], b.tjy[k], b.tjz[k]},
+        {b.nx[k], b.ny[k], b.nz[k]}, r_i - 0.5 * c.overlap[k], lever_j_before);
     const Resistance now =
         resistance(load.force_on_j, load.torque_on_i, load.torque_on_j, m.n, m.lever_i, m.lever_j);
     const double way = 0.5 * dt;
-    const double acts =
-        m.overlap >= c.tear_off_overlap[k] ? way : 0.0;  // a torn contact loads nobody any more
-    c.heat_normal[k] += (way * c.dashpot[k] + acts * load.dashpot) * m.approach_speed;
-    c.heat_tangential[k] +=
-        c.stored_tangential[k] - load.stored_tangential -
+    const double acts = hold >= 0.0 ? way : 0.0;  // a torn contact loads nobody any more
+    b.heat_normal[k] += (way * b.dashpot[k] + acts * load.dashpot) * m.approach_speed;
+    b.heat_tangential[k] +=
+        b.stored_tangential[k] - load.stored_tangential -
         contact::dot(way * before.friction + acts * now.friction, m.slip_velocity);
-    c.heat_rolling[k] += c.stored_rolling[k] - load.stored_rolling -
+    b.heat_rolling[k] += b.stored_rolling[k] - load.stored_rolling -
                          contact::dot(way * before.rolling_i + acts * now.rolling_i, m.spin_i) -
                          contact::dot(way * before.rolling_j + acts * now.rolling_j, m.spin_j);
-    c.stored_tangential[k] = load.stored_tangential;
-    c.stored_rolling[k] = load.stored_rolling;
-    c.dashpot[k] = load.dashpot;
-    c.nx[k] = m.n.x, c.ny[k] = m.n.y, c.nz[k] = m.n.z;
+    b.stored_tangential[k] = load.stored_tangential;
+    b.stored_rolling[k] = load.stored_rolling;
+    b.dashpot[k] = load.dashpot;
+    b.nx[k] = m.n.x, b.ny[k] = m.n.y, b.nz[k] = m.n.z;
+    b.fx[k] = load.force_on_j.x, b.fy[k] = load.force_on_j.y, b.fz[k] = load.force_on_j.z;
+    b.tix[k] = load.torque_on_i.x, b.tiy[k] = load.torque_on_i.y, b.tiz[k] = load.torque_on_i.z;
+    b.tjx[k] = load.torque_on_j.x, b.tjy[k] = load.torque_on_j.y, b.tjz[k] = load.torque_on_j.z;
 }
 
-template <bool with_ledger, class Interaction>
-#ifndef __clang__  // refuses the two attributes together
-[[gnu::flatten, gnu::target_clones("avx512f", "avx2", "default")]]
-#endif
-void load_typed(const Interaction law, const Slots c, const MotionBlock& motion, int size, double dt) {
-#ifndef __clang__  // does not know it; `omp simd` keeps g++ 12 from making vectors
-#pragma GCC ivdep
-#endif
+template <class Interaction>
+inline Load load_one(const Interaction& law, const Slots& c, Block& b, int k, const Motion& m,
+                     const ContactConstants& constants, double dt) {
+    const History history{
+        {c.sx[k], c.sy[k], c.sz[k]}, {c.rx[k], c.ry[k], c.rz[k]}, c.twist[k], c.previous_radius[k]};
+    const Load load = evaluate(law, constants, m, history, dt);
+    c.sx[k] = load.history.tangential_spring.x;
+    c.sy[k] = load.history.tangential_spring.y;
+    c.sz[k] = load.history.tangential_spring.z;
+    c.rx[k] = load.history.rolling_spring.x;
+    c.ry[k] = load.history.rolling_spring.y;
+    c.rz[k] = load.history.rolling_spring.z;
+    c.twist[k] = load.history.twist;
+    c.previous_radius[k] = load.history.previous_radius;
+    b.fx[k] = load.force_on_j.x, b.fy[k] = load.force_on_j.y, b.fz[k] = load.force_on_j.z;
+    b.tix[k] = load.torque_on_i.x, b.tiy[k] = load.torque_on_i.y, b.tiz[k] = load.torque_on_i.z;
+    b.tjx[k] = load.torque_on_j.x, b.tjy[k] = load.torque_on_j.y, b.tjz[k] = load.torque_on_j.z;
+    b.hold[k] = m.overlap - law.normal.tear_off_overlap(constants.r_star, constants.length_scale);
+    return load;
+}
+
+// Those of all contacts where they are alike, or else the contact's own.
+template <bool alike>
+inline ContactConstants constants_of(const Slots& c, const Block& b, int k,
+                                     const ContactConstants& common) {
+    if constexpr (
+        alike)  // member by member: a copy of the whole would keep g++ 12 from making vectors
+        return {common.r_i,
+                common.r_j,
+                common.r_star,
+                common.m_star,
+                common.length_scale,
+                common.inverse_inertia_i,
+                common.inverse_inertia_j};
+    return {b.r_i[k],
+            b.r_j[k],
+            c.r_star[k],
+            c.m_star[k],
+            c.length_scale[k],
+            b.inverse_inertia_i[k],
+            b.inverse_inertia_j[k]};
+}
+
+template <bool alike, class Interaction>
+SIMILITUDE_VECTOR_CLONES void load_fast(const Interaction law, const Slots c, Block& b, int size,
+                                        const ContactConstants common, double dt) {
+    SIMILITUDE_NO_DEPENDENCE
     for (int k = 0; k < size; ++k) {
-        const ContactConstants constants{c.r_i[k],
-                                         c.r_j[k],
-                                         c.r_star[k],
-                                         c.m_star[k],
-                                         c.length_scale[k],
-                                         c.inverse_inertia_i[k],
-                                         c.inverse_inertia_j[k],
-                                         c.tear_off_overlap[k]};
-        const History history{{c.sx[k], c.sy[k], c.sz[k]},
-                              {c.rx[k], c.ry[k], c.rz[k]},
-                              c.twist[k],
-                              c.previous_radius[k]};
-        const Motion m = motion.get(k);
-        const Load load = evaluate(law, constants, m, history, dt);
-        if constexpr (with_ledger) add_heat(c, k, m, load, dt);
+        const ContactConstants constants = constants_of<alike>(c, b, k, common);
+        const Motion m = motion(b, k, constants.r_i, constants.r_j);
+        load_one(law, c, b, k, m, constants, dt);
         c.overlap[k] = m.overlap;
-        c.sx[k] = load.history.tangential_spring.x;
-        c.sy[k] = load.history.tangential_spring.y;
-        c.sz[k] = load.history.tangential_spring.z;
-        c.rx[k] = load.history.rolling_spring.x;
-        c.ry[k] = load.history.rolling_spring.y;
-        c.rz[k] = load.history.rolling_spring.z;
-        c.twist[k] = load.history.twist;
-        c.previous_radius[k] = load.history.previous_radius;
-        c.fx[k] = load.force_on_j.x, c.fy[k] = load.force_on_j.y, c.fz[k] = load.force_on_j.z;
-        c.tix[k] = load.torque_on_i.x, c.tiy[k] = load.torque_on_i.y, c.tiz[k] = load.torque_on_i.z;
-        c.tjx[k] = load.torque_on_j.x, c.tjy[k] = load.torque_on_j.y, c.tjz[k] = load.torque_on_j.z;
+    }
+}
+
+// With the ledger: the same loads, and the books. Not made for speed.
+template <class Interaction>
+void load_and_book(const Interaction law, const Slots c, const BookSlots books, Block& b, int size,
+                   double dt) {
+    for (int k = 0; k < size; ++k) {
+        const ContactConstants constants = constants_of<false>(c, b, k, {});
+        const Motion m = motion(b, k, constants.r_i, constants.r_j);
+        const Load load = load_one(law, c, b, k, m, constants, dt);
+        add_heat(c, books, k, constants.r_i, constants.r_j, m, load, b.hold[k], dt);
+        c.overlap[k] = m.overlap;
     }
 }
 
 }  // namespace
 
-void MotionBlock::set(int k, const Motion& m) {
-    nx[k] = m.n.x, ny[k] = m.n.y, nz[k] = m.n.z;
-    overlap[k] = m.overlap, approach_speed[k] = m.approach_speed;
-    slip_x[k] = m.slip_velocity.x, slip_y[k] = m.slip_velocity.y, slip_z[k] = m.slip_velocity.z;
-    spin_ix[k] = m.spin_i.x, spin_iy[k] = m.spin_i.y, spin_iz[k] = m.spin_i.z;
-    spin_jx[k] = m.spin_j.x, spin_jy[k] = m.spin_j.y, spin_jz[k] = m.spin_j.z;
-    lever_i[k] = m.lever_i, lever_j[k] = m.lever_j;
+void gather_pairs(const Simulation& s, const Contacts& c, std::size_t first, int size, Block& b) {
+    const Particles& p = s.grains;
+    const double *x = p.x.data(), *y = p.y.data(), *z = p.z.data();
+    const double *vx = p.vx.data(), *vy = p.vy.data(), *vz = p.vz.data();
+    const double *wx = p.wx.data(), *wy = p.wy.data(), *wz = p.wz.data();
+    const int *from = c.i.data() + first, *to = c.j.data() + first;
+    for (int k = 0; k < size; ++k) {
+        const int i = from[k], j = to[k];
+        b.nx[k] = x[j] - x[i], b.ny[k] = y[j] - y[i], b.nz[k] = z[j] - z[i];
+        b.ux[k] = vx[j] - vx[i], b.uy[k] = vy[j] - vy[i], b.uz[k] = vz[j] - vz[i];
+        b.ix[k] = wx[i], b.iy[k] = wy[i], b.iz[k] = wz[i];
+        b.jx[k] = wx[j], b.jy[k] = wy[j], b.jz[k] = wz[j];
+    }
+    if (!c.alike || s.settings.ledger)
+        for (int k = 0; k < size; ++k) {
+            const auto i = static_cast<std::size_t>(from[k]), j = static_cast<std::size_t>(to[k]);
+            b.r_i[k] = p.radius[i], b.r_j[k] = p.radius[j];
+            b.inverse_inertia_i[k] = p.inverse_inertia[i];
+            b.inverse_inertia_j[k] = p.inverse_inertia[j];
+        }
+    if (s.settings.period_x > 0.0) fold(b.nx, size, s.settings.period_x);
+    if (s.settings.period_y > 0.0) fold(b.ny, size, s.settings.period_y);
+    aim(b, size);
 }
 
-void load_block(const Laws& laws, Contacts& contacts, std::size_t first, int size,
-                const MotionBlock& motion, const Settings& settings) {
+void gather_walls(const Simulation& s, const Contacts& c, std::size_t first, int size, Block& b) {
+    const Particles& p = s.grains;
+    for (int k = 0; k < size; ++k) {
+        const auto i = static_cast<std::size_t>(c.i[first + static_cast<std::size_t>(k)]);
+        const auto wall = static_cast<std::size_t>(c.j[first + static_cast<std::size_t>(k)]);
+        const WallDistance way = distance(s.walls[wall], p.position(i));
+        b.nx[k] = way.n.x, b.ny[k] = way.n.y, b.nz[k] = way.n.z;
+        b.distance[k] = way.distance;
+        b.ux[k] = -p.vx[i], b.uy[k] = -p.vy[i], b.uz[k] = -p.vz[i];
+        b.ix[k] = p.wx[i], b.iy[k] = p.wy[i], b.iz[k] = p.wz[i];
+        b.jx[k] = b.jy[k] = b.jz[k] = 0.0;
+        b.r_i[k] = p.radius[i], b.r_j[k] = 0.0;
+        b.inverse_inertia_i[k] = p.inverse_inertia[i], b.inverse_inertia_j[k] = 0.0;
+    }
+}
+
+void load_block(const Laws& laws, Contacts& contacts, std::size_t first, int size, Block& block,
+                const Settings& settings) {
     const Slots c = slots(contacts, first);
+    const double dt = settings.time_step;
     with_laws(laws, [&](const auto& law) {
         if (settings.ledger)
-            load_typed<true>(law, c, motion, size, settings.time_step);
+            load_and_book(law, c, slots(contacts.books, first), block, size, dt);
+        else if (contacts.alike)
+            load_fast<true>(law, c, block, size, contacts.common, dt);
         else
-            load_typed<false>(law, c, motion, size, settings.time_step);
+            load_fast<false>(law, c, block, size, contacts.common, dt);
     });
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "dem_min/neighbours.hpp"
 
-#include "contact/effective.hpp"
-
-#include <omp.h>
+#include "dem_min/forces.hpp"
+#include "dem_min/vector_clones.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,210 +12,350 @@
 namespace dem_min {
 namespace {
 
-// A dense grid over the bounding box; cells are at least as wide as the longest reach, so that 27 of them suffice.
-struct Grid {
-    double x0 = 0.0, y0 = 0.0, z0 = 0.0, width = 1.0;
-    int nx = 1, ny = 1, nz = 1;
-    std::vector<int> begin,
-        grain;  // grains of cell c, by rising index: grain[begin[c] .. begin[c + 1])
+// Ways are sums of thousands of roundings; what is left of a gap is taken this much shorter than it is.
+constexpr double caution = 0.999;
 
-    int cell(double x, double y, double z) const {
-        const int cx = static_cast<int>((x - x0) / width), cy = static_cast<int>((y - y0) / width),
-                  cz = static_cast<int>((z - z0) / width);
-        return (cz * ny + cy) * nx + cx;
+// Steps that a list should last. More of them widen the margins, and with them the list; measured on the bed of `bench`.
+constexpr double steps_of_a_list = 100.0;
+
+struct Axis {
+    double origin = 0.0, width = 1.0;  // m
+    int cells = 1;
+    double period = 0.0;  // m, 0: open
+
+    int cell(double x) const {
+        const double from = x - origin;
+        const double folded = period > 0.0 ? from - period * std::floor(from / period) : from;
+        return std::min(static_cast<int>(folded / width), cells - 1);
+    }
+    // Cells around cell c, each once: {first, how many}; where the axis is periodic they are to be wrapped.
+    std::pair<int, int> around(int c) const {
+        if (period > 0.0) return cells < 3 ? std::pair{0, cells} : std::pair{c - 1 + cells, 3};
+        const int first = std::max(0, c - 1);
+        return {first, std::min(cells - 1, c + 1) - first + 1};
     }
 };
 
-Grid make_grid(const Particles& p, double width) {
+Axis make_axis(const std::vector<double>& x, double width, double period) {
+    if (period > 0.0) {
+        const int cells = std::max(1, static_cast<int>(period / width));
+        return {0.0, period / cells, cells, period};
+    }
+    const auto [low, high] = std::minmax_element(x.begin(), x.end());
+    return {*low, width, static_cast<int>(std::min((*high - *low) / width, 1e9)) + 1, 0.0};
+}
+
+// The grains of one class of sizes in a dense grid. Cells are at least as wide as the longest reach, so that 27 suffice.
+struct Grid {
+    Axis x, y, z;
+    std::vector<int> begin, grain;  // grains of cell c: grain[begin[c] .. begin[c + 1])
+
+    std::size_t cell(int cx, int cy, int cz) const {
+        return (static_cast<std::size_t>(cz) * static_cast<std::size_t>(y.cells) +
+                static_cast<std::size_t>(cy)) *
+                   static_cast<std::size_t>(x.cells) +
+               static_cast<std::size_t>(cx);
+    }
+    std::size_t cell_at(const Particles& p, std::size_t k) const {
+        return cell(x.cell(p.x[k]), y.cell(p.y[k]), z.cell(p.z[k]));
+    }
+};
+
+Grid make_grid(const Simulation& s, const std::vector<int>& members, double width) {
+    const Particles& p = s.grains;
     Grid grid;
-    const std::size_t n = p.count();
-    const auto [x_min, x_max] = std::minmax_element(p.x.begin(), p.x.end());
-    const auto [y_min, y_max] = std::minmax_element(p.y.begin(), p.y.end());
-    const auto [z_min, z_max] = std::minmax_element(p.z.begin(), p.z.end());
-    grid.x0 = *x_min, grid.y0 = *y_min, grid.z0 = *z_min;
-    const double lx = *x_max - *x_min, ly = *y_max - *y_min, lz = *z_max - *z_min;
     // A few far grains must not cost memory: cells grow until they are not many more than the grains.
-    const double most = 8.0 * static_cast<double>(n) + 64.0;
-    while ((lx / width + 1.0) * (ly / width + 1.0) * (lz / width + 1.0) > most) width *= 2.0;
-    grid.width = width;
-    grid.nx = static_cast<int>(lx / width) + 1;
-    grid.ny = static_cast<int>(ly / width) + 1;
-    grid.nz = static_cast<int>(lz / width) + 1;
-    const std::size_t cells = static_cast<std::size_t>(grid.nx) *
-                              static_cast<std::size_t>(grid.ny) * static_cast<std::size_t>(grid.nz);
+    const double most = 8.0 * static_cast<double>(members.size()) + 64.0;
+    do {
+        grid.x = make_axis(p.x, width, s.settings.period_x);
+        grid.y = make_axis(p.y, width, s.settings.period_y);
+        grid.z = make_axis(p.z, width, 0.0);
+        width *= 2.0;
+    } while (static_cast<double>(grid.x.cells) * grid.y.cells * grid.z.cells > most &&
+             grid.x.cells + grid.y.cells + grid.z.cells > 3);
+    const std::size_t cells = grid.cell(grid.x.cells - 1, grid.y.cells - 1, grid.z.cells - 1) + 1;
     grid.begin.assign(cells + 1, 0);
-    std::vector<int> cell_of(n);
-    for (std::size_t k = 0; k < n; ++k) {
-        cell_of[k] = grid.cell(p.x[k], p.y[k], p.z[k]);
-        ++grid.begin[static_cast<std::size_t>(cell_of[k]) + 1];
+    std::vector<std::size_t> cell_of(members.size());
+    for (std::size_t m = 0; m < members.size(); ++m) {
+        cell_of[m] = grid.cell_at(p, static_cast<std::size_t>(members[m]));
+        ++grid.begin[cell_of[m] + 1];
     }
     for (std::size_t c = 0; c < cells; ++c) grid.begin[c + 1] += grid.begin[c];
-    grid.grain.resize(n);
+    grid.grain.resize(members.size());
     std::vector<int> next(grid.begin.begin(), grid.begin.end() - 1);
-    for (std::size_t k = 0; k < n; ++k)
-        grid.grain[static_cast<std::size_t>(next[static_cast<std::size_t>(cell_of[k])]++)] =
-            static_cast<int>(k);
+    for (std::size_t m = 0; m < members.size(); ++m)
+        grid.grain[static_cast<std::size_t>(next[cell_of[m]]++)] = members[m];
     return grid;
 }
 
-// Calls `visit(j)` for each grain j > i in the 27 cells around grain i.
+// Calls visit(j) for each grain in the cells around grain i.
 template <class Visit>
-void visit_near(const Grid& grid, const Particles& p, int i, Visit&& visit) {
-    const auto k = static_cast<std::size_t>(i);
-    const int cx = static_cast<int>((p.x[k] - grid.x0) / grid.width);
-    const int cy = static_cast<int>((p.y[k] - grid.y0) / grid.width);
-    const int cz = static_cast<int>((p.z[k] - grid.z0) / grid.width);
-    for (int z = std::max(0, cz - 1); z <= std::min(grid.nz - 1, cz + 1); ++z)
-        for (int y = std::max(0, cy - 1); y <= std::min(grid.ny - 1, cy + 1); ++y)
-            for (int x = std::max(0, cx - 1); x <= std::min(grid.nx - 1, cx + 1); ++x) {
-                const auto c = static_cast<std::size_t>((z * grid.ny + y) * grid.nx + x);
-                for (int at = grid.begin[c]; at < grid.begin[c + 1]; ++at) {
-                    const int j = grid.grain[static_cast<std::size_t>(at)];
-                    if (j > i) visit(j);
-                }
+void visit_near(const Grid& grid, const Particles& p, std::size_t i, Visit&& visit) {
+    const auto [x, nx] = grid.x.around(grid.x.cell(p.x[i]));
+    const auto [y, ny] = grid.y.around(grid.y.cell(p.y[i]));
+    const auto [z, nz] = grid.z.around(grid.z.cell(p.z[i]));
+    for (int cz = z; cz < z + nz; ++cz)
+        for (int cy = y; cy < y + ny; ++cy)
+            for (int cx = x; cx < x + nx; ++cx) {
+                const std::size_t c =
+                    grid.cell(cx % grid.x.cells, cy % grid.y.cells, cz % grid.z.cells);
+                for (int at = grid.begin[c]; at < grid.begin[c + 1]; ++at)
+                    visit(grid.grain[static_cast<std::size_t>(at)]);
             }
 }
 
-// Remembers the gap of the last R*: in a powder of one size, or of few, nearly every pair asks for the same.
-class CachedGap {
-  public:
-    explicit CachedGap(const GapOf& gap) : gap_(gap) {}
-    double operator()(double r_star) {
-        if (r_star != r_star_) r_star_ = r_star, value_ = gap_(r_star);
-        return value_;
-    }
-
-  private:
-    const GapOf& gap_;
-    double r_star_ = 0.0, value_ = 0.0;
+// Classes of sizes, each half as wide as the one before: a small grain among large ones then looks at few of them, and a large
+// one never looks for small ones.
+struct Classes {
+    std::vector<Grid> grids;
+    std::vector<int> of;  // [grains]
 };
 
-void link_contacts(CandidateList& list, Contacts& contacts, bool wall_major) {
-    list.slot.assign(list.count(), -1);
-    // Candidates stand in order of (i, j), those of walls in order of (j, i).
-    const auto key = [&](int i, int j) { return wall_major ? std::pair{j, i} : std::pair{i, j}; };
-    for (std::size_t slot = 0; slot < contacts.count(); ++slot) {
-        const auto wanted = key(contacts.i[slot], contacts.j[slot]);
-        std::size_t low = 0, high = list.count();
-        while (low < high) {
-            const std::size_t middle = (low + high) / 2;
-            if (key(list.i[middle], list.j[middle]) < wanted)
-                low = middle + 1;
-            else
-                high = middle;
+Classes make_classes(const Simulation& s, double widest_margin) {
+    const Particles& p = s.grains;
+    const double largest = *std::max_element(p.radius.begin(), p.radius.end());
+    constexpr int most = 8;
+    std::vector<std::vector<int>> members(most);
+    Classes classes;
+    classes.of.resize(p.count());
+    for (std::size_t k = 0; k < p.count(); ++k) {
+        int size = 0;
+        for (double r = 0.5 * largest; size < most - 1 && p.radius[k] <= r; r *= 0.5) ++size;
+        classes.of[k] = size;
+        members[static_cast<std::size_t>(size)].push_back(static_cast<int>(k));
+    }
+    double r = largest;
+    for (const std::vector<int>& grains : members) {
+        classes.grids.push_back(make_grid(s, grains, 2.0 * (r + widest_margin)));
+        r *= 0.5;
+    }
+    return classes;
+}
+
+// All contact partners of each grain: partner[begin[k] .. begin[k + 1]).
+struct Partners {
+    std::vector<int> begin, partner;
+    bool has(std::size_t k, int other) const {
+        for (int at = begin[k]; at < begin[k + 1]; ++at)
+            if (partner[static_cast<std::size_t>(at)] == other) return true;
+        return false;
+    }
+};
+
+template <class EachContact>
+Partners partners(std::size_t grains, EachContact&& each_contact) {
+    Partners result;
+    result.begin.assign(grains + 1, 0);
+    each_contact([&](int k, int) { ++result.begin[static_cast<std::size_t>(k) + 1]; });
+    for (std::size_t k = 0; k < grains; ++k) result.begin[k + 1] += result.begin[k];
+    result.partner.resize(static_cast<std::size_t>(result.begin[grains]));
+    std::vector<int> next(result.begin.begin(), result.begin.end() - 1);
+    each_contact([&](int k, int other) {
+        result.partner[static_cast<std::size_t>(next[static_cast<std::size_t>(k)]++)] = other;
+    });
+    return result;
+}
+
+void choose_margins(Simulation& s) {
+    const Particles& p = s.grains;
+    const double dt = s.settings.time_step, skin = s.settings.skin;
+    for (std::size_t t = 0; t < s.tiles.size(); ++t) {
+        const std::size_t first = t * tile_size, last = std::min(first + tile_size, p.count());
+        double v2 = 0.0, farthest = 0.0;
+        for (std::size_t k = first; k < last; ++k) {
+            const Vec3 v = p.velocity(k) - s.frame;
+            v2 = std::max(v2, contact::dot(v, v));
+            for (const double x : {p.x[k], p.y[k], p.z[k]})
+                farthest = std::max(farthest, std::abs(x));
         }
-        // Not in the list: the pair has jumped beyond gap and skin, and is about to be found torn.
-        const bool found = low < list.count() && key(list.i[low], list.j[low]) == wanted;
-        contacts.candidate[slot] = found ? static_cast<int>(low) : -1;
-        if (found) list.slot[low] = static_cast<int>(slot);
+        const double way = std::sqrt(v2) * dt * steps_of_a_list;
+        s.tiles[t].margin = std::clamp(way, 0.25 * skin, 2.0 * skin);
+        s.tiles[t].margin_to_walls =
+            4.0 * skin;  // few grains are near, so that a wide one costs little
+        s.tiles[t].way = s.tiles[t].way_from_walls = 0.0;
+        s.tiles[t].rounding = 0x1p-51 * farthest;  // two units in the last place
     }
 }
 
-CandidateList near_pairs(const Particles& p, double skin, const GapOf& pair_gap, int threads) {
-    const int n = static_cast<int>(p.count());
-    const double r_max = *std::max_element(p.radius.begin(), p.radius.end());
-    const Grid grid = make_grid(p, 2.0 * r_max + pair_gap(0.5 * r_max) + skin);
-    std::vector<CandidateList> parts(static_cast<std::size_t>(threads));
-#pragma omp parallel num_threads(threads) if (threads > 1)
-    {
-        CandidateList& part = parts[static_cast<std::size_t>(omp_get_thread_num())];
-        CachedGap gap(pair_gap);
-        std::vector<int> near;
-#pragma omp for schedule(static)
-        for (int i = 0; i < n; ++i) {
-            const auto a = static_cast<std::size_t>(i);
-            near.clear();
-            visit_near(grid, p, i, [&](int j) {
-                const auto b = static_cast<std::size_t>(j);
-                if (p.fixed(a) && p.fixed(b)) return;
-                const double dx = p.x[b] - p.x[a], dy = p.y[b] - p.y[a], dz = p.z[b] - p.z[a];
-                const double r_i = p.radius[a], r_j = p.radius[b];
-                const double reach = r_i + r_j + gap(contact::r_star(r_i, r_j)) + skin;
-                if (dx * dx + dy * dy + dz * dz <= reach * reach) near.push_back(j);
+struct Found {
+    int i, j;
+    double gap;  // m, between the surfaces
+};
+
+void search(const Simulation& s, const Classes& classes, const Partners& touching, std::size_t t,
+            std::vector<Found>& found) {
+    const Particles& p = s.grains;
+    const std::size_t first = t * tile_size, last = std::min(first + tile_size, p.count());
+    for (std::size_t i = first; i < last; ++i) {
+        const int size = classes.of[i];
+        const double own = p.radius[i] + s.tiles[t].margin;
+        for (int larger = 0; larger <= size; ++larger)
+            visit_near(classes.grids[static_cast<std::size_t>(larger)], p, i, [&](int other) {
+                const auto j = static_cast<std::size_t>(other);
+                if (larger == size && j <= i) return;
+                const Vec3 way = apart(s, i, j);
+                const double d2 = contact::dot(way, way);
+                const double reach = own + p.radius[j] + s.tiles[j / tile_size].margin;
+                if (d2 > reach * reach || (p.fixed(i) && p.fixed(j)) || touching.has(i, other))
+                    return;
+                const double gap = std::sqrt(d2) - (p.radius[i] + p.radius[j]);
+                found.push_back(
+                    {static_cast<int>(std::min(i, j)), static_cast<int>(std::max(i, j)), gap});
             });
-            std::sort(near.begin(), near.end());
-            for (const int j : near) {
-                part.i.push_back(i);
-                part.j.push_back(j);
-                part.reach.push_back(p.radius[a] + p.radius[static_cast<std::size_t>(j)]);
-            }
-        }
     }
-    CandidateList list;
-    for (const CandidateList& part :
-         parts) {  // static chunks by rising i: joined, they are in order
-        list.i.insert(list.i.end(), part.i.begin(), part.i.end());
-        list.j.insert(list.j.end(), part.j.begin(), part.j.end());
-        list.reach.insert(list.reach.end(), part.reach.begin(), part.reach.end());
-    }
-    return list;
 }
 
-CandidateList near_walls(const Particles& p, const std::vector<Wall>& walls, double skin,
-                         const GapOf& wall_gap) {
-    CandidateList list;
-    CachedGap gap(wall_gap);
-    for (std::size_t w = 0; w < walls.size(); ++w)
-        for (std::size_t k = 0; k < p.count(); ++k) {
-            if (p.fixed(k)) continue;
-            const double r = p.radius[k];
-            if (distance(walls[w], p.position(k)).distance > r + gap(r) + skin) continue;
-            list.i.push_back(static_cast<int>(k));
-            list.j.push_back(static_cast<int>(w));
-            list.reach.push_back(r);
+void search_walls(Simulation& s, const Partners& touching, std::size_t t) {
+    const Particles& p = s.grains;
+    Tile& tile = s.tiles[t];
+    const std::size_t first = t * tile_size, last = std::min(first + tile_size, p.count());
+    for (std::size_t i = first; i < last; ++i) {
+        if (p.fixed(i)) continue;
+        for (std::size_t w = 0; w < s.walls.size(); ++w) {
+            const double gap = clearance(s.walls[w], p.position(i)) - p.radius[i];
+            if (gap > tile.margin_to_walls || touching.has(i, static_cast<int>(w))) continue;
+            tile.near_walls.add(static_cast<int>(i), static_cast<int>(w), caution * gap);
         }
-    return list;
+    }
+}
+
+void find_partner_tiles(Simulation& s) {
+    std::vector<std::vector<int>> of(s.tiles.size());
+    const auto join = [&](int i, int j) {
+        const int a = tile_of(i), b = tile_of(j);
+        if (a == b) return;
+        auto &at_a = of[static_cast<std::size_t>(a)], &at_b = of[static_cast<std::size_t>(b)];
+        if (std::find(at_a.begin(), at_a.end(), b) != at_a.end()) return;
+        at_a.push_back(b), at_b.push_back(a);
+    };
+    for (const Tile& tile : s.tiles)
+        for (std::size_t c = 0; c < tile.near_grains.count(); ++c)
+            join(tile.near_grains.i[c], tile.near_grains.j[c]);
+    for_each_contact(s, [&](std::size_t group, const Contacts& c, std::size_t slot) {
+        if (!s.at_wall(group)) join(c.i[slot], c.j[slot]);
+    });
+    for (std::size_t t = 0; t < s.tiles.size(); ++t) {
+        std::sort(of[t].begin(), of[t].end());
+        s.tiles[t].partners = of[t];
+        s.tiles[t].inbox_of.assign(of[t].size(), 0);
+        ++s.tiles[t].outbox_changes;
+    }
+}
+
+// Indices of the candidates that must be looked at. Most need not be: they are passed over many at a time, and what is left is
+// listed without a branch.
+SIMILITUDE_VECTOR_CLONES int list_due(const double* due, int count, double way, int* listed) {
+    constexpr int many = 32;
+    int n = 0;
+    for (int first = 0; first < count; first += many) {
+        const int last = std::min(first + many, count);
+        int found = 0;
+        for (int c = first; c < last; ++c) found += due[c] <= way;
+        if (found == 0) continue;
+        for (int c = first; c < last; ++c) {
+            listed[n] = c;
+            n += due[c] <= way;
+        }
+    }
+    return n;
 }
 
 }  // namespace
 
-void find_neighbours(Neighbours& neighbours, const Particles& p, const std::vector<Wall>& walls,
-                     Contacts& pairs, Contacts& wall_contacts, double skin, const GapOf& pair_gap,
-                     const GapOf& wall_gap, int threads) {
-    neighbours.pairs = p.count() == 0 ? CandidateList{} : near_pairs(p, skin, pair_gap, threads);
-    neighbours.walls = near_walls(p, walls, skin, wall_gap);
-    link_contacts(neighbours.pairs, pairs, false);
-    link_contacts(neighbours.walls, wall_contacts, true);
-    neighbours.of_pairs = incidence(neighbours.pairs, p.count(), true);
-    neighbours.of_walls = incidence(neighbours.walls, p.count(), false);
-    neighbours.x0 = p.x, neighbours.y0 = p.y, neighbours.z0 = p.z;
-    neighbours.stale = false;
+void find_neighbours(Simulation& s) {
+    fit_tiles(s);
+    s.list_is_stale = false;
+    if (s.grains.count() == 0) return;
+    choose_margins(s);
+    double widest = 0.0;
+    for (const Tile& tile : s.tiles) widest = std::max(widest, tile.margin);
+    const Classes classes = make_classes(s, widest);
+    const Partners touching = partners(s.grains.count(), [&](auto&& visit) {
+        for_each_contact(s, [&](std::size_t group, const Contacts& c, std::size_t slot) {
+            if (s.at_wall(group)) return;
+            visit(c.i[slot], c.j[slot]);
+            visit(c.j[slot], c.i[slot]);
+        });
+    });
+    const Partners at_walls = partners(s.grains.count(), [&](auto&& visit) {
+        for_each_contact(s, [&](std::size_t group, const Contacts& c, std::size_t slot) {
+            if (s.at_wall(group)) visit(c.i[slot], c.j[slot]);
+        });
+    });
+    const int tiles = static_cast<int>(s.tiles.size()), team = s.team();
+    std::vector<std::vector<Found>> found(s.tiles.size());
+#pragma omp parallel for schedule(dynamic) num_threads(team) if (team > 1)
+    for (int index = 0; index < tiles; ++index) {
+        const auto t = static_cast<std::size_t>(index);
+        s.tiles[t].near_grains.clear(), s.tiles[t].near_walls.clear();
+        search(s, classes, touching, t, found[t]);
+        search_walls(s, at_walls, t);
+    }
+    for (const std::vector<Found>& part : found)
+        for (const Found& pair : part)
+            s.tiles[static_cast<std::size_t>(tile_of(pair.i))].near_grains.add(pair.i, pair.j,
+                                                                               caution * pair.gap);
+    find_partner_tiles(s);
 }
 
-bool outdated(const Neighbours& neighbours, const Particles& p, double skin, int threads) {
-    if (neighbours.stale) return true;
-    const double allowed = 0.25 * skin * skin;
-    int far = 0;  // grains; one that is nowhere (NaN) counts too, and is then found by check_finite
-    const int n = static_cast<int>(p.count());
-#pragma omp parallel for simd reduction(+ : far) schedule(static) num_threads(threads) if (threads > 1)
-    for (int k = 0; k < n; ++k) {
-        const auto a = static_cast<std::size_t>(k);
-        const double dx = p.x[a] - neighbours.x0[a], dy = p.y[a] - neighbours.y0[a],
-                     dz = p.z[a] - neighbours.z0[a];
-        far += !(dx * dx + dy * dy + dz * dz <= allowed);
+bool outdated(const Simulation& s) {
+    if (s.list_is_stale) return true;
+    for (const Tile& tile : s.tiles) {
+        if (!(tile.way <= caution * tile.margin)) return true;
+        if (!s.walls.empty() && !(tile.way_from_walls <= caution * tile.margin_to_walls))
+            return true;
     }
-    return far > 0;
+    return false;
 }
 
-Incidence incidence(const CandidateList& list, std::size_t grains, bool both_sides) {
-    Incidence result;
-    result.begin.assign(grains + 1, 0);
-    for (std::size_t c = 0; c < list.count(); ++c) {
-        if (list.slot[c] < 0) continue;
-        ++result.begin[static_cast<std::size_t>(list.i[c]) + 1];
-        if (both_sides) ++result.begin[static_cast<std::size_t>(list.j[c]) + 1];
+void begin_contacts(Simulation& s, std::size_t t) {
+    Tile& tile = s.tiles[t];
+    const Particles& p = s.grains;
+    double others = tile.way;
+    for (const int partner : tile.partners)
+        others = std::max(others, s.tiles[static_cast<std::size_t>(partner)].way);
+    std::vector<std::pair<int, int>> born;
+    const double way = tile.way + others;
+    Candidates& near = tile.near_grains;
+    std::vector<int>& due = tile.due;
+    due.resize(near.count() + 1);
+    due.resize(static_cast<std::size_t>(
+        list_due(near.due.data(), static_cast<int>(near.count()), way, due.data())));
+    std::size_t touching = 0;
+    for (const int index : due) {
+        const auto c = static_cast<std::size_t>(index);
+        const auto i = static_cast<std::size_t>(near.i[c]), j = static_cast<std::size_t>(near.j[c]);
+        const Vec3 between = apart(s, i, j);
+        const double d2 = contact::dot(between, between), reach = p.radius[i] + p.radius[j];
+        near.due[c] = way + caution * (std::sqrt(d2) - reach);
+        due[touching] = index;
+        touching += d2 <= reach * reach;
     }
-    for (std::size_t k = 0; k < grains; ++k) result.begin[k + 1] += result.begin[k];
-    result.entry.resize(static_cast<std::size_t>(result.begin[grains]));
-    std::vector<int> next(result.begin.begin(), result.begin.end() - 1);
-    // Swept in order of (i, j), grain k first meets its partners below k, by rising index, then those above.
-    for (std::size_t c = 0; c < list.count(); ++c) {
-        if (list.slot[c] < 0) continue;
-        const auto i = static_cast<std::size_t>(list.i[c]), j = static_cast<std::size_t>(list.j[c]);
-        result.entry[static_cast<std::size_t>(next[i]++)] = 2 * list.slot[c];
-        if (both_sides) result.entry[static_cast<std::size_t>(next[j]++)] = 2 * list.slot[c] + 1;
+    while (touching-- > 0) {
+        const auto c = static_cast<std::size_t>(due[touching]);
+        born.emplace_back(near.i[c], near.j[c]);
+        near.remove(c);
     }
-    return result;
+    std::sort(born.begin(), born.end());
+    for (const auto& [i, j] : born)
+        begin_pair(s, static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+    born.clear();
+    Candidates& walls = tile.near_walls;
+    for (std::size_t c = walls.count(); c-- > 0;) {
+        if (walls.due[c] > tile.way_from_walls) continue;
+        const auto i = static_cast<std::size_t>(walls.i[c]);
+        const Wall& wall = s.walls[static_cast<std::size_t>(walls.j[c])];
+        if (distance(wall, p.position(i)).distance <= p.radius[i]) {
+            born.emplace_back(walls.i[c], walls.j[c]);
+            walls.remove(c);
+        } else {  // not the distance, which is infinite where another patch of a mesh answers for this one
+            walls.due[c] =
+                tile.way_from_walls + caution * (clearance(wall, p.position(i)) - p.radius[i]);
+        }
+    }
+    std::sort(born.begin(), born.end());
+    for (const auto& [i, wall] : born)
+        begin_wall_contact(s, static_cast<std::size_t>(i), static_cast<std::size_t>(wall));
 }
 
 }  // namespace dem_min

@@ -2,6 +2,7 @@
 #include "dem_min/particles.hpp"
 
 #include <numbers>
+#include <utility>
 
 namespace dem_min {
 
@@ -40,18 +41,27 @@ void Particles::add(const Grain& grain, std::int64_t new_id) {
     inverse_inertia[k] =
         grain.fixed ? 0.0 : 2.5 / (mass[k] * (r * r));  // solid sphere: I = 2/5 m R^2
     id.push_back(new_id);
+    material.push_back(grain.material);
 }
 
-void Particles::compact(const std::vector<std::uint8_t>& keep) {
-    std::size_t to = 0;
-    for (std::size_t from = 0; from < keep.size(); ++from) {
-        if (!keep[from]) continue;
-        for (std::vector<double>* array : arrays()) (*array)[to] = (*array)[from];
-        id[to] = id[from];
-        ++to;
-    }
-    for (std::vector<double>* array : arrays()) array->resize(to);
-    id.resize(to);
+namespace {
+
+template <class T>
+void renumber_array(std::vector<T>& array, const std::vector<int>& new_index, std::size_t kept) {
+    std::vector<T> moved(kept);
+    for (std::size_t k = 0; k < array.size(); ++k)
+        if (new_index[k] >= 0) moved[static_cast<std::size_t>(new_index[k])] = array[k];
+    array = std::move(moved);
+}
+
+}  // namespace
+
+void Particles::renumber(const std::vector<int>& new_index) {
+    std::size_t kept = 0;
+    for (const int index : new_index) kept += index >= 0;
+    for (std::vector<double>* array : arrays()) renumber_array(*array, new_index, kept);
+    renumber_array(id, new_index, kept);
+    renumber_array(material, new_index, kept);
 }
 
 }  // namespace dem_min

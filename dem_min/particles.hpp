@@ -20,6 +20,7 @@ struct Grain {
     double radius;       // m
     double density;      // kg/m^3
     bool fixed = false;  // glued: never moves
+    int material = 0;    // see Simulation::particular
 };
 
 struct Particles {
@@ -31,13 +32,14 @@ struct Particles {
     std::vector<double> radius, mass;
     std::vector<double> inverse_mass, inverse_inertia;  // 0 for a fixed grain
     std::vector<std::int64_t> id;                       // order of birth, from 0; never reused
+    std::vector<int> material;
 
     std::size_t count() const { return x.size(); }
     bool fixed(std::size_t k) const { return inverse_mass[k] == 0.0; }
 
     void add(const Grain&, std::int64_t new_id);
-    // Keeps grain k where keep[k] != 0; the order stays. Shape of keep: [count()].
-    void compact(const std::vector<std::uint8_t>& keep);
+    // Grain k moves to new_index[k]; where that is -1 it goes. The others must fill 0, 1, 2, ... Shape: [count()].
+    void renumber(const std::vector<int>& new_index);
 
     Vec3 position(std::size_t k) const { return {x[k], y[k], z[k]}; }
     Vec3 velocity(std::size_t k) const { return {vx[k], vy[k], vz[k]}; }

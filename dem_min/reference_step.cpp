@@ -1,89 +1,101 @@
 // SPDX-License-Identifier: MIT
-// The step as one would explain it at a blackboard. It shares with step.cpp the laws, the motion of one contact and the
-// sums of gather_and_kick, but no cell, no candidate list, no thread.
+// The step as one would explain it at a blackboard. It shares with step.cpp the laws, the motion of one contact, the order of
+// memory (`reorder`) and the arrays in which contacts stand, but no cell, no list of candidates, no outbox, no thread.
 #include "dem_min/forces.hpp"
 
+#include <algorithm>
 #include <cstddef>
-#include <map>
+#include <set>
 #include <utility>
 
 namespace dem_min {
 namespace {
 
-using Slots = std::map<std::pair<int, int>, int>;
+using Pairs = std::set<std::pair<int, int>>;
 
-Slots slots_of(const Contacts& contacts, bool wall_major) {
-    Slots slots;
-    for (std::size_t c = 0; c < contacts.count(); ++c) {
-        const std::pair key{contacts.i[c], contacts.j[c]};
-        slots[wall_major ? std::pair{key.second, key.first} : key] = static_cast<int>(c);
-    }
-    return slots;
+Pairs in_contact(const Simulation& s, bool at_walls) {
+    Pairs pairs;
+    for_each_contact(s, [&](std::size_t group, const Contacts& c, std::size_t slot) {
+        if (s.at_wall(group) != at_walls) return;
+        const int i = c.i[slot], j = c.j[slot];
+        pairs.emplace(at_walls || i < j ? std::pair{i, j} : std::pair{j, i});
+    });
+    return pairs;
 }
 
-// All contacts as a candidate list in canonical order, for `incidence`.
-CandidateList in_order(const Slots& slots, bool wall_major) {
-    CandidateList list;
-    for (const auto& [key, slot] : slots) {
-        list.i.push_back(wall_major ? key.second : key.first);
-        list.j.push_back(wall_major ? key.first : key.second);
-        list.slot.push_back(slot);
+void begin_all(Simulation& s) {
+    const Particles& p = s.grains;
+    const Pairs pairs = in_contact(s, false), walls = in_contact(s, true);
+    for (std::size_t i = 0; i < p.count(); ++i) {
+        for (std::size_t j = i + 1; j < p.count(); ++j) {
+            if ((p.fixed(i) && p.fixed(j)) ||
+                pairs.count({static_cast<int>(i), static_cast<int>(j)}) != 0)
+                continue;
+            const Vec3 way = apart(s, i, j);
+            const double reach = p.radius[i] + p.radius[j];
+            if (contact::dot(way, way) <= reach * reach) begin_pair(s, i, j);
+        }
+        for (std::size_t w = 0; w < s.walls.size(); ++w) {
+            if (p.fixed(i) || walls.count({static_cast<int>(i), static_cast<int>(w)}) != 0)
+                continue;
+            if (distance(s.walls[w], p.position(i)).distance <= p.radius[i])
+                begin_wall_contact(s, i, w);
+        }
     }
-    return list;
 }
 
-template <class MotionOf>
-void load_all(Simulation& s, Contacts& contacts, const Laws& laws, MotionOf&& motion_of) {
-    for (std::size_t slot = contacts.count(); slot-- > 0;) {
-        MotionBlock motion;
-        motion.set(0, motion_of(slot));
-        load_block(laws, contacts, slot, 1, motion, s.settings);
-        if (contacts.overlap[slot] < contacts.tear_off_overlap[slot])
-            end_contact(s.past, laws, contacts, slot, nullptr, s.settings.ledger);
-    }
+void add_load(Particles& p, int grain, Vec3 force, Vec3 torque) {
+    const auto k = static_cast<std::size_t>(grain);
+    p.fx[k] += force.x, p.fy[k] += force.y, p.fz[k] += force.z;
+    p.tx[k] += torque.x, p.ty[k] += torque.y, p.tz[k] += torque.z;
 }
 
 }  // namespace
 
 void reference_step(Simulation& s) {
-    kick_and_drift(s);
+    Particles& p = s.grains;
+    if (time_to_reorder(s)) reorder(s);
+    fit_tiles(s);
+    for (std::size_t t = 0; t < s.tiles.size(); ++t) begin_step(s, t);
     check_finite(s);
     remove_lost(s);
-    const Particles& p = s.grains;
-    Slots pairs = slots_of(s.pairs, false), walls = slots_of(s.wall_contacts, true);
-    for (std::size_t i = 0; i < p.count(); ++i)
-        for (std::size_t j = i + 1; j < p.count(); ++j) {
-            if ((p.fixed(i) && p.fixed(j)) ||
-                pairs.count({static_cast<int>(i), static_cast<int>(j)}) != 0)
-                continue;
-            const double dx = p.x[j] - p.x[i], dy = p.y[j] - p.y[i], dz = p.z[j] - p.z[i];
-            const double reach = p.radius[i] + p.radius[j];
-            if (dx * dx + dy * dy + dz * dz <= reach * reach)
-                s.pairs.add(static_cast<int>(i), static_cast<int>(j), 0, pair_constants(s, i, j));
+    begin_all(s);
+
+    for (auto* load : {&p.fx, &p.fy, &p.fz, &p.tx, &p.ty, &p.tz}) load->assign(p.count(), 0.0);
+    std::vector<Outgoing> to_other_tiles;  // added last
+    for (Tile& tile : s.tiles)
+        for (std::size_t group = 0; group < s.groups(); ++group) {
+            Contacts& c = tile.groups[group];
+            const bool at_wall = s.at_wall(group);
+            std::vector<std::size_t> torn;
+            for (std::size_t slot = 0; slot < c.count(); ++slot) {
+                Block b;
+                at_wall ? gather_walls(s, c, slot, 1, b) : gather_pairs(s, c, slot, 1, b);
+                load_block(s.laws(group), c, slot, 1, b, s.settings);
+                if (b.hold[0] < 0.0) {
+                    torn.push_back(slot);
+                    continue;
+                }
+                const Vec3 on_j{b.fx[0], b.fy[0], b.fz[0]};
+                const Vec3 turning_j{b.tjx[0], b.tjy[0], b.tjz[0]};
+                add_load(p, c.i[slot], -on_j, {b.tix[0], b.tiy[0], b.tiz[0]});
+                if (at_wall) continue;
+                if (tile_of(c.i[slot]) == tile_of(c.j[slot]))
+                    add_load(p, c.j[slot], on_j, turning_j);
+                else
+                    to_other_tiles.push_back({c.j[slot], on_j, turning_j});
+            }
+            for (auto slot = torn.rbegin(); slot != torn.rend(); ++slot) {
+                if (s.settings.ledger) tile.ended += heat_of_end(s.laws(group), c, *slot);
+                c.remove(*slot);
+            }
         }
-    for (std::size_t w = 0; w < s.walls.size(); ++w)
-        for (std::size_t i = 0; i < p.count(); ++i) {
-            if (p.fixed(i) || walls.count({static_cast<int>(w), static_cast<int>(i)}) != 0)
-                continue;
-            if (distance(s.walls[w], p.position(i)).distance <= p.radius[i])
-                s.wall_contacts.add(static_cast<int>(i), static_cast<int>(w), 0,
-                                    wall_constants(s, i));
-        }
-    load_all(s, s.pairs, s.between_grains, [&](std::size_t slot) {
-        return pair_motion(p, static_cast<std::size_t>(s.pairs.i[slot]),
-                           static_cast<std::size_t>(s.pairs.j[slot]));
-    });
-    load_all(s, s.wall_contacts, s.at_walls, [&](std::size_t slot) {
-        const auto i = static_cast<std::size_t>(s.wall_contacts.i[slot]);
-        return wall_motion(
-            p, i,
-            distance(s.walls[static_cast<std::size_t>(s.wall_contacts.j[slot])], p.position(i)));
-    });
-    s.neighbours.of_pairs = incidence(in_order(slots_of(s.pairs, false), false), p.count(), true);
-    s.neighbours.of_walls =
-        incidence(in_order(slots_of(s.wall_contacts, true), true), p.count(), false);
-    gather_and_kick(s);
-    s.neighbours.stale = true;  // `step` may follow
+    for (const Outgoing& load : to_other_tiles) add_load(p, load.j, load.force, load.torque);
+    for (std::size_t t = 0; t < s.tiles.size(); ++t) {
+        s.tiles[t].inbox.clear();  // its entries have just been added
+        end_step(s, t);
+    }
+    s.list_is_stale = true;  // `step` may follow
     ++s.steps;
 }
 

@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 #include <string>
-#include <utility>
 
 namespace dem_min {
 namespace {
@@ -28,24 +26,9 @@ class Hash {
     std::uint64_t state_ = 14695981039346656037ULL;
 };
 
-// Slots by rising (i, j): an order that does not depend on how the contacts came about.
-std::vector<std::size_t> canonical_order(const Contacts& c) {
-    std::vector<std::size_t> order(c.count());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return std::pair{c.i[a], c.j[a]} < std::pair{c.i[b], c.j[b]};
-    });
-    return order;
-}
-
-void add_contacts(const Laws& laws, const Contacts& c, Ledger& sum) {
-    for (const std::size_t slot : canonical_order(c)) {
-        sum.elastic_normal +=
-            stored_energy(laws, c, slot) - c.stored_tangential[slot] - c.stored_rolling[slot];
-        sum.elastic_tangential += c.stored_tangential[slot];
-        sum.elastic_rolling += c.stored_rolling[slot];
-        sum.heat += heat_so_far(c, slot);
-    }
+template <class T>
+std::size_t bytes(const std::vector<T>& array) {
+    return array.size() * sizeof(T);
 }
 
 }  // namespace
@@ -73,8 +56,15 @@ double Ledger::imbalance() const {
 Ledger ledger(const Simulation& s) {
     Ledger sum;
     sum.heat = s.past.heat;
-    add_contacts(s.between_grains, s.pairs, sum);
-    add_contacts(s.at_walls, s.wall_contacts, sum);
+    for (const Tile& tile : s.tiles) sum.heat += tile.ended;
+    for_each_contact(s, [&](std::size_t group, const Contacts& c, std::size_t slot) {
+        const double tangential = c.books.stored_tangential[slot];
+        const double rolling = c.books.stored_rolling[slot];
+        sum.elastic_normal += stored_energy(s.laws(group), c, slot) - tangential - rolling;
+        sum.elastic_tangential += tangential;
+        sum.elastic_rolling += rolling;
+        sum.heat += heat_so_far(c, slot);
+    });
     double potential = 0.0;
     for (std::size_t k = 0; k < s.grains.count(); ++k)
         if (!s.grains.fixed(k)) potential += potential_of_gravity(s, k);
@@ -100,15 +90,56 @@ double translational_energy(const Simulation& s) {
     return sum;
 }
 
+std::size_t pair_count(const Simulation& s) {
+    std::size_t count = 0;
+    for (const Tile& tile : s.tiles)
+        for (std::size_t group = 0; group < tile.groups.size(); ++group)
+            if (!s.at_wall(group)) count += tile.groups[group].count();
+    return count;
+}
+
+std::size_t wall_contact_count(const Simulation& s) {
+    std::size_t count = 0;
+    for (const Tile& tile : s.tiles) count += tile.contacts();
+    return count - pair_count(s);
+}
+
 double mean_coordination(const Simulation& s) {
     const Particles& p = s.grains;
     std::size_t ends = 0, loose = 0;
+    const auto is_loose = [&](int k) {
+        return static_cast<std::size_t>(!p.fixed(static_cast<std::size_t>(k)));
+    };
     for (std::size_t k = 0; k < p.count(); ++k) loose += !p.fixed(k);
-    for (std::size_t slot = 0; slot < s.pairs.count(); ++slot)
-        ends += static_cast<std::size_t>(!p.fixed(static_cast<std::size_t>(s.pairs.i[slot]))) +
-                static_cast<std::size_t>(!p.fixed(static_cast<std::size_t>(s.pairs.j[slot])));
-    ends += s.wall_contacts.count();
+    for_each_contact(s, [&](std::size_t group, const Contacts& c, std::size_t slot) {
+        ends += is_loose(c.i[slot]) + (s.at_wall(group) ? 0 : is_loose(c.j[slot]));
+    });
     return loose == 0 ? 0.0 : static_cast<double>(ends) / static_cast<double>(loose);
+}
+
+double largest_overlap(const Simulation& s) {
+    double largest = 0.0;
+    for_each_contact(s, [&](std::size_t, const Contacts& c, std::size_t slot) {
+        largest = std::max(largest, c.overlap[slot] / c.r_star[slot]);
+    });
+    return largest;
+}
+
+MemoryUse memory_use(const Simulation& s) {
+    MemoryUse use{};
+    Particles grains = s.grains;
+    for (const std::vector<double>* array : grains.arrays()) use.bytes_grains += bytes(*array);
+    use.bytes_grains += bytes(s.grains.id) + bytes(s.grains.material);
+    for (const Tile& tile : s.tiles) {
+        for (const Contacts& c : tile.groups) {
+            for (const std::vector<double>* array : c.arrays()) use.bytes_contacts += bytes(*array);
+            use.bytes_contacts += bytes(c.i) + bytes(c.j);
+        }
+        for (const Candidates* near : {&tile.near_grains, &tile.near_walls})
+            use.bytes_lists += bytes(near->i) + bytes(near->j) + bytes(near->due);
+        use.bytes_lists += bytes(tile.outbox) + bytes(tile.inbox) + sizeof(Tile);
+    }
+    return use;
 }
 
 std::uint64_t state_hash(const Simulation& s, double unit_of_length, double unit_of_time) {
@@ -122,21 +153,18 @@ std::uint64_t state_hash(const Simulation& s, double unit_of_length, double unit
     for (const auto* position : {&p.x, &p.y, &p.z}) add(*position, unit_of_length);
     for (const auto* velocity : {&p.vx, &p.vy, &p.vz}) add(*velocity, unit_of_velocity);
     for (const auto* spin : {&p.wx, &p.wy, &p.wz}) add(*spin, unit_of_spin);
-    for (const auto& [contacts, laws] :
-         {std::pair{&s.pairs, &s.between_grains}, {&s.wall_contacts, &s.at_walls}}) {
+    for_each_contact(s, [&](std::size_t group, const Contacts& c, std::size_t slot) {
         const double unit_of_rolling =
-            std::holds_alternative<contact::RollingSds>(laws->rolling) ? unit_of_length : 1.0;
-        for (const std::size_t slot : canonical_order(*contacts)) {
-            hash.add(static_cast<std::uint64_t>(contacts->i[slot]));
-            hash.add(static_cast<std::uint64_t>(contacts->j[slot]));
-            for (const auto* spring :
-                 {&contacts->sx, &contacts->sy, &contacts->sz, &contacts->previous_radius})
-                hash.add((*spring)[slot] / unit_of_length);
-            for (const auto* spring : {&contacts->rx, &contacts->ry, &contacts->rz})
-                hash.add((*spring)[slot] / unit_of_rolling);
-            hash.add(contacts->twist[slot]);
-        }
-    }
+            std::holds_alternative<contact::RollingSds>(s.laws(group).rolling) ? unit_of_length
+                                                                               : 1.0;
+        hash.add(static_cast<std::uint64_t>(c.i[slot]));
+        hash.add(static_cast<std::uint64_t>(c.j[slot]));
+        for (const auto* spring : {&c.sx, &c.sy, &c.sz, &c.previous_radius})
+            hash.add((*spring)[slot] / unit_of_length);
+        for (const auto* spring : {&c.rx, &c.ry, &c.rz})
+            hash.add((*spring)[slot] / unit_of_rolling);
+        hash.add(c.twist[slot]);
+    });
     return hash.value();
 }
 

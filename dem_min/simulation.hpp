@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A simulation is plain data and a few free functions. Between two calls of `step` positions and velocities belong to the
-// same instant. All numbers SI.
+// A simulation is plain data and a few free functions. Between two calls of `step` or `advance` positions and velocities belong
+// to the same instant. All numbers SI.
 #pragma once
 
 #include "dem_min/contacts.hpp"
 #include "dem_min/interaction.hpp"
-#include "dem_min/neighbours.hpp"
 #include "dem_min/particles.hpp"
+#include "dem_min/tiles.hpp"
 #include "dem_min/walls.hpp"
 
 #include <algorithm>
@@ -17,14 +17,16 @@ namespace dem_min {
 
 struct Settings {
     double time_step = 0.0;  // s
-    double skin =
-        0.0;  // m, margin of the neighbour list: it is made anew once a grain has moved half of it
+    // m, usual margin of the neighbour list, >= 0. Tiles at rest take less and fast ones more; no bit depends on it.
+    double skin = 0.0;
     Vec3 gravity;  // m/s^2
     double lost_below =
         0.0;          // m: a grain whose centre sinks below this z has left and is taken out
     int threads = 1;  // at most
     int grains_per_thread = 1000;  // with fewer, threads wait for one another longer than they work
-    bool ledger = false;           // keep the energy ledger (costs some 10 % of a step)
+    bool ledger = false;           // keep the energy ledger
+    // m, the box repeats itself with these periods in x and y; 0: open. Positions are not folded back.
+    double period_x = 0.0, period_y = 0.0;
 };
 
 // Sums over everything that no longer exists: ended contacts and grains that have left.
@@ -37,16 +39,37 @@ struct Past {
     std::int64_t grains_lost = 0;
 };
 
+// Laws of one pair of materials, where they differ from those of all others.
+struct ParticularLaws {
+    int material;
+    int partner;  // the other material; at a wall the wall's
+    bool at_wall;
+    Laws laws;
+};
+
 struct Simulation {
     Settings settings;
     Laws between_grains, at_walls;
+    std::vector<ParticularLaws> particular;
     std::vector<Wall> walls;
+    std::vector<int> wall_material;  // [walls], or empty: all 0
     Particles grains;
-    Contacts pairs, wall_contacts;
-    Neighbours neighbours;
+    std::vector<Tile> tiles;
+    bool list_is_stale = true;  // grains were added, taken out or moved by hand
+    // m/s, of the frame in which the tiles count their ways: grains that move together do not come closer. Any would do.
+    Vec3 frame;
     Past past;
     std::int64_t steps = 0;
     std::int64_t births = 0;  // the next grain's id
+
+    // Contacts stand in groups of one set of laws each: 0 between grains, 1 at walls, 2... particular ones.
+    std::size_t groups() const { return 2 + particular.size(); }
+    bool at_wall(std::size_t group) const {
+        return group == 1 || (group > 1 && particular[group - 2].at_wall);
+    }
+    const Laws& laws(std::size_t group) const {
+        return group == 0 ? between_grains : group == 1 ? at_walls : particular[group - 2].laws;
+    }
 
     // Threads that this many grains are worth. The bits do not depend on it.
     int team() const {
@@ -59,7 +82,8 @@ struct Simulation {
 // Adds a grain; gravity acts on it from this instant. Cheap for one, linear in the grains at the next step.
 void insert(Simulation&, const Grain&);
 
-// One velocity Verlet step. The bits do not depend on the number of threads.
+// Velocity Verlet steps. The bits depend neither on the number of threads nor on how many steps are taken at a time.
+void advance(Simulation&, std::int64_t steps);
 void step(Simulation&);
 
 // The same step, slow and obvious: all pairs, in order, no list, one thread. Gives the same bits as `step`.
@@ -67,6 +91,18 @@ void reference_step(Simulation&);
 
 // Throws std::runtime_error naming the grain, its place and the step if any position, velocity or force is not finite.
 void check_finite(const Simulation&);
+
+std::size_t pair_count(const Simulation&);
+std::size_t wall_contact_count(const Simulation&);
+
+// Calls visit(group, contacts, slot) for each contact, tile by tile.
+template <class Visit>
+void for_each_contact(const Simulation& s, Visit&& visit) {
+    for (const Tile& tile : s.tiles)
+        for (std::size_t group = 0; group < tile.groups.size(); ++group)
+            for (std::size_t slot = 0; slot < tile.groups[group].count(); ++slot)
+                visit(group, tile.groups[group], slot);
+}
 
 // Where the energy is, J. What came in (work of gravity, kinetic energy at birth) less what is there or has left or has
 // become heat is the imbalance: zero but for the error of the step.
@@ -81,9 +117,16 @@ Ledger ledger(const Simulation&);  // settings.ledger must have been on from the
 double kinetic_energy(const Simulation&);  // J, of all grains that are not fixed, spin included
 double translational_energy(const Simulation&);  // J, likewise, without spin
 double mean_coordination(
-    const Simulation&);  // contacts per loose grain, with grains, base and walls
+    const Simulation&);                     // contacts per loose grain, with grains, base and walls
+double largest_overlap(const Simulation&);  // 1, overlap over R* of the deepest contact; 0 without
 
-// Hash of positions, velocities, spins, springs and contact radii, contacts in canonical order, all in multiples of the units
+// What the simulation keeps in memory, bytes.
+struct MemoryUse {
+    std::size_t bytes_grains, bytes_contacts, bytes_lists;
+};
+MemoryUse memory_use(const Simulation&);
+
+// Hash of positions, velocities, spins, springs and contact radii, in the order of memory, all in multiples of the units
 // given: two runs that are one another's image under a scaling by powers of two have the same hash in their own units.
 std::uint64_t state_hash(const Simulation&, double unit_of_length = 1.0, double unit_of_time = 1.0);
 

@@ -1,134 +1,166 @@
 // SPDX-License-Identifier: MIT
 #include "dem_min/forces.hpp"
-
-#include <omp.h>
+#include "dem_min/neighbours.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 namespace dem_min {
 namespace {
 
-// Loads of all contacts in a list; `motion_of(slot)` gives the motion. A contact beyond its tear-off gets a load too, which
-// nobody sees: `end_torn` takes it out before the loads are gathered.
-template <class MotionOf>
-void load_contacts(const Laws& laws, Contacts& contacts, const Settings& settings, int team,
-                   MotionOf&& motion_of) {
-    const int count = static_cast<int>(contacts.count());
-    const int blocks = (count + block_size - 1) / block_size;
-#pragma omp parallel for schedule(static) num_threads(team) if (team > 1)
-    for (int b = 0; b < blocks; ++b) {
-        MotionBlock motion;
-        const int first = b * block_size, size = std::min(block_size, count - first);
-        for (int k = 0; k < size; ++k)
-            motion.set(k, motion_of(static_cast<std::size_t>(first + k)));
-        load_block(laws, contacts, static_cast<std::size_t>(first), size, motion, settings);
+// Calls each(t) for every tile; which thread takes which does not matter.
+template <class Each>
+void for_each_tile(Simulation& s, Each&& each) {
+    const int tiles = static_cast<int>(s.tiles.size()), team = s.team();
+#pragma omp parallel for schedule(dynamic) num_threads(team) if (team > 1)
+    for (int t = 0; t < tiles; ++t) each(static_cast<std::size_t>(t));
+}
+
+// Adds the loads of a block to its grains. A contact that has torn loads nobody; its slot goes to `torn`.
+void scatter(Simulation& s, std::size_t t, const Contacts& c, bool at_wall, std::size_t first,
+             int size, const Block& b, std::vector<std::size_t>& torn) {
+    Particles& p = s.grains;
+    double *fx = p.fx.data(), *fy = p.fy.data(), *fz = p.fz.data();
+    double *tx = p.tx.data(), *ty = p.ty.data(), *tz = p.tz.data();
+    const int begin = static_cast<int>(first_of(t)), end = begin + grains_of(s, t);
+    for (int k = 0; k < size; ++k) {
+        if (b.hold[k] < 0.0) {
+            torn.push_back(first + static_cast<std::size_t>(k));
+            continue;
+        }
+        const int i = c.i[first + static_cast<std::size_t>(k)];
+        fx[i] -= b.fx[k], fy[i] -= b.fy[k], fz[i] -= b.fz[k];
+        tx[i] += b.tix[k], ty[i] += b.tiy[k], tz[i] += b.tiz[k];
+        if (at_wall) continue;
+        const int j = c.j[first + static_cast<std::size_t>(k)];
+        if (j >= begin && j < end) {
+            fx[j] += b.fx[k], fy[j] += b.fy[k], fz[j] += b.fz[k];
+            tx[j] += b.tjx[k], ty[j] += b.tjy[k], tz[j] += b.tjz[k];
+        } else {
+            s.tiles[t].outbox.push_back(
+                {j, {b.fx[k], b.fy[k], b.fz[k]}, {b.tjx[k], b.tjy[k], b.tjz[k]}});
+        }
     }
 }
 
-// New contacts among the candidates, in their order, whatever the number of threads.
-template <class Touches>
-std::vector<int> find_touching(const CandidateList& list, int threads, Touches&& touches) {
-    std::vector<std::vector<int>> parts(static_cast<std::size_t>(threads));
-    const int count = static_cast<int>(list.count());
-#pragma omp parallel num_threads(threads) if (threads > 1)
-    {
-        std::vector<int>& part = parts[static_cast<std::size_t>(omp_get_thread_num())];
-#pragma omp for schedule(static)
-        for (int c = 0; c < count; ++c)
-            if (list.slot[static_cast<std::size_t>(c)] < 0 && touches(static_cast<std::size_t>(c)))
-                part.push_back(c);
+void end_contacts(Simulation& s, std::size_t t, std::size_t group, std::vector<std::size_t>& torn) {
+    Tile& tile = s.tiles[t];
+    Contacts& c = tile.groups[group];
+    for (auto slot = torn.rbegin(); slot != torn.rend(); ++slot) {
+        if (s.settings.ledger) tile.ended += heat_of_end(s.laws(group), c, *slot);
+        const int i = c.i[*slot], j = c.j[*slot];
+        if (s.at_wall(group))
+            tile.near_walls.add(i, j, 0.0);
+        else if (i < j)
+            tile.near_grains.add(i, j, 0.0);
+        else  // a pair turned round by `reorder`: it belongs to the tile of j now
+            tile.handed_over.emplace_back(j, i);
+        c.remove(*slot);
+        ++tile.outbox_changes;
     }
-    for (std::size_t t = 1; t < parts.size(); ++t)
-        parts[0].insert(parts[0].end(), parts[t].begin(), parts[t].end());
-    return parts[0];
+    torn.clear();
 }
 
-void begin_contact(CandidateList& list, int candidate, Contacts& contacts,
-                   const ContactConstants& constants) {
-    const auto c = static_cast<std::size_t>(candidate);
-    list.slot[c] = static_cast<int>(contacts.count());
-    contacts.add(list.i[c], list.j[c], candidate, constants);
+void clear_loads(Simulation& s, std::size_t t) {
+    Particles& p = s.grains;
+    for (std::vector<double>* array : {&p.fx, &p.fy, &p.fz, &p.tx, &p.ty, &p.tz})
+        std::fill_n(array->begin() + static_cast<std::ptrdiff_t>(first_of(t)), grains_of(s, t),
+                    0.0);
 }
 
-bool begin_pairs(Simulation& s) {
-    const Particles& p = s.grains;
-    CandidateList& list = s.neighbours.pairs;
-    const std::vector<int> born = find_touching(list, s.team(), [&](std::size_t c) {
-        const auto i = static_cast<std::size_t>(list.i[c]), j = static_cast<std::size_t>(list.j[c]);
-        const double dx = p.x[j] - p.x[i], dy = p.y[j] - p.y[i], dz = p.z[j] - p.z[i];
-        return dx * dx + dy * dy + dz * dz <= list.reach[c] * list.reach[c];
-    });
-    for (const int c : born) {
-        const auto k = static_cast<std::size_t>(c);
-        begin_contact(list, c, s.pairs,
-                      pair_constants(s, static_cast<std::size_t>(list.i[k]),
-                                     static_cast<std::size_t>(list.j[k])));
+void load_tile(Simulation& s, std::size_t t) {
+    begin_contacts(s, t);
+    clear_loads(s, t);
+    s.tiles[t].outbox.clear();
+    Block block;
+    std::vector<std::size_t> torn;
+    for (std::size_t group = 0; group < s.groups(); ++group) {
+        Contacts& c = s.tiles[t].groups[group];
+        const bool at_wall = s.at_wall(group);
+        for (std::size_t first = 0; first < c.count(); first += block_size) {
+            const int size = static_cast<int>(std::min<std::size_t>(block_size, c.count() - first));
+            at_wall ? gather_walls(s, c, first, size, block)
+                    : gather_pairs(s, c, first, size, block);
+            load_block(s.laws(group), c, first, size, block, s.settings);
+            scatter(s, t, c, at_wall, first, size, block, torn);
+        }
+        if (!torn.empty()) end_contacts(s, t, group, torn);
     }
-    return !born.empty();
 }
 
-bool begin_wall_contacts(Simulation& s) {
-    CandidateList& list = s.neighbours.walls;
-    const std::vector<int> born = find_touching(list, s.team(), [&](std::size_t c) {
-        const Vec3 x = s.grains.position(static_cast<std::size_t>(list.i[c]));
-        return distance(s.walls[static_cast<std::size_t>(list.j[c])], x).distance <= list.reach[c];
-    });
-    for (const int c : born)
-        begin_contact(
-            list, c, s.wall_contacts,
-            wall_constants(s, static_cast<std::size_t>(list.i[static_cast<std::size_t>(c)])));
-    return !born.empty();
-}
-
-bool end_torn(Simulation& s, const Laws& laws, Contacts& contacts, CandidateList& list) {
-    bool any = false;
-    for (std::size_t slot = contacts.count(); slot-- > 0;) {
-        if (contacts.overlap[slot] >= contacts.tear_off_overlap[slot]) continue;
-        end_contact(s.past, laws, contacts, slot, &list, s.settings.ledger);
-        any = true;
+void hand_over(Simulation& s) {
+    for (Tile& tile : s.tiles) {
+        for (const auto& [i, j] : tile.handed_over)
+            s.tiles[static_cast<std::size_t>(tile_of(i))].near_grains.add(i, j, 0.0);
+        tile.handed_over.clear();
     }
-    return any;
 }
 
-double gap(const Laws& laws, double r_star) {
-    return std::visit(
-        [&](const auto& law) { return -law.tear_off_overlap(r_star, law.length_scale(r_star)); },
-        laws.normal);
+// Finds the tile's entries in the outboxes of its partners, if any of these has begun or ended a contact.
+void renew_inbox(Simulation& s, std::size_t t) {
+    Tile& tile = s.tiles[t];
+    bool changed = false;
+    for (std::size_t k = 0; k < tile.partners.size(); ++k) {
+        const std::uint64_t now =
+            s.tiles[static_cast<std::size_t>(tile.partners[k])].outbox_changes;
+        changed = changed || tile.inbox_of[k] != now;
+        tile.inbox_of[k] = now;
+    }
+    if (!changed) return;
+    tile.inbox.clear();
+    for (const int partner : tile.partners) {
+        const std::vector<Outgoing>& outbox = s.tiles[static_cast<std::size_t>(partner)].outbox;
+        for (std::size_t k = 0; k < outbox.size(); ++k)
+            if (tile_of(outbox[k].j) == static_cast<int>(t))
+                tile.inbox.push_back({partner, static_cast<int>(k)});
+    }
 }
 
-void renew_neighbours(Simulation& s) {
-    if (!outdated(s.neighbours, s.grains, s.settings.skin, s.team())) return;
-    check_finite(s);
-    find_neighbours(
-        s.neighbours, s.grains, s.walls, s.pairs, s.wall_contacts, s.settings.skin,
-        [&](double r_star) { return gap(s.between_grains, r_star); },
-        [&](double r_star) { return gap(s.at_walls, r_star); }, s.team());
+void note(const Simulation& s, Tile& tile, const Drift& drift) {
+    tile.way += drift.fastest_in_frame * s.settings.time_step + tile.rounding;
+    tile.way_from_walls += drift.fastest * s.settings.time_step + tile.rounding;
+    tile.lost = drift.lost, tile.bad = drift.bad;
+    tile.sum_of_velocities = drift.sum_of_velocities;
+}
+
+// Between the drift and the loads: grains leave, bad numbers are found, the list is renewed.
+void look_after(Simulation& s) {
+    bool lost = false, bad = false;
+    Vec3 sum;
+    for (const Tile& tile : s.tiles) {
+        lost = lost || tile.lost, bad = bad || tile.bad;
+        sum = sum + tile.sum_of_velocities;
+    }
+    if (bad) check_finite(s);
+    s.frame = 1.0 / static_cast<double>(s.grains.count()) * sum;
+    if (lost) remove_lost(s);
+    if (outdated(s)) find_neighbours(s);
 }
 
 }  // namespace
 
-void step(Simulation& s) {
-    kick_and_drift(s);
-    remove_lost(s);
-    renew_neighbours(s);
-    const bool pairs_born = begin_pairs(s), walls_born = begin_wall_contacts(s);
-    load_contacts(s.between_grains, s.pairs, s.settings, s.team(), [&](std::size_t slot) {
-        return pair_motion(s.grains, static_cast<std::size_t>(s.pairs.i[slot]),
-                           static_cast<std::size_t>(s.pairs.j[slot]));
-    });
-    load_contacts(s.at_walls, s.wall_contacts, s.settings, s.team(), [&](std::size_t slot) {
-        const auto i = static_cast<std::size_t>(s.wall_contacts.i[slot]);
-        const Wall& wall = s.walls[static_cast<std::size_t>(s.wall_contacts.j[slot])];
-        return wall_motion(s.grains, i, distance(wall, s.grains.position(i)));
-    });
-    if (end_torn(s, s.between_grains, s.pairs, s.neighbours.pairs) || pairs_born)
-        s.neighbours.of_pairs = incidence(s.neighbours.pairs, s.grains.count(), true);
-    if (end_torn(s, s.at_walls, s.wall_contacts, s.neighbours.walls) || walls_born)
-        s.neighbours.of_walls = incidence(s.neighbours.walls, s.grains.count(), false);
-    gather_and_kick(s);
-    ++s.steps;
+void advance(Simulation& s, std::int64_t steps) {
+    bool begun =
+        false;  // the end of one step and the beginning of the next are one walk over the grains
+    for (std::int64_t done = 0; done < steps; ++done) {
+        if (time_to_reorder(s)) reorder(s);
+        fit_tiles(s);
+        if (!begun) for_each_tile(s, [&](std::size_t t) { note(s, s.tiles[t], begin_step(s, t)); });
+        look_after(s);
+        for_each_tile(s, [&](std::size_t t) { load_tile(s, t); });
+        hand_over(s);
+        ++s.steps;
+        begun = done + 1 < steps && !time_to_reorder(s);
+        for_each_tile(s, [&](std::size_t t) {
+            renew_inbox(s, t);
+            if (begun)
+                note(s, s.tiles[t], end_and_begin_step(s, t));
+            else
+                end_step(s, t);
+        });
+    }
 }
+
+void step(Simulation& s) { advance(s, 1); }
 
 }  // namespace dem_min

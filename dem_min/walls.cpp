@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "dem_min/walls.hpp"
 
+#include "dem_min/mesh.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dem_min {
 
@@ -35,6 +38,25 @@ static WallDistance distance(const Shell& shell, Vec3 point) {
 
 WallDistance distance(const Wall& wall, Vec3 point) {
     return std::visit([&](const auto& shape) { return distance(shape, point); }, wall);
+}
+
+double clearance(const Wall& wall, Vec3 point) {
+    if (const auto* patch = std::get_if<MeshPatch>(&wall)) return clearance(*patch, point);
+    return distance(wall, point).distance;
+}
+
+static Box bounds(const Plane&) {
+    constexpr double far = std::numeric_limits<double>::infinity();
+    return {{-far, -far, -far}, {far, far, far}};
+}
+
+static Box bounds(const Shell& shell) {
+    const double r = std::max(shell.r0, shell.r1);
+    return {{-r, -r, std::min(shell.z0, shell.z1)}, {r, r, std::max(shell.z0, shell.z1)}};
+}
+
+Box bounds(const Wall& wall) {
+    return std::visit([](const auto& shape) { return bounds(shape); }, wall);
 }
 
 }  // namespace dem_min

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Rigid walls at rest. Two shapes serve every rig: a plane, and a thin shell of revolution about the z axis whose
-// generating line is a segment in the (r, z) half-plane: a disc (0, 0)-(R, 0), a tube (R, z0)-(R, z1), a cone or a funnel
-// (r0, z0)-(r1, z1). A shell is felt from both sides and at its rim.
+// Rigid walls at rest. Three shapes serve every rig: a plane; a thin shell of revolution about the z axis whose generating
+// line is a segment in the (r, z) half-plane: a disc (0, 0)-(R, 0), a tube (R, z0)-(R, z1), a cone or a funnel
+// (r0, z0)-(r1, z1); and a smooth patch of a mesh of triangles (dem_min/mesh.hpp). Shells and patches are felt from both sides
+// and at their rims.
 #pragma once
 
 #include "contact/vec3.hpp"
 
+#include <memory>
 #include <variant>
 #include <vector>
 
@@ -22,7 +24,14 @@ struct Shell {
     double r0, z0, r1, z1;  // m, ends of the generating segment, r >= 0
 };
 
-using Wall = std::variant<Plane, Shell>;
+struct Mesh;  // dem_min/mesh.hpp
+
+struct MeshPatch {
+    std::shared_ptr<const Mesh> mesh;
+    int patch;  // in the mesh
+};
+
+using Wall = std::variant<Plane, Shell, MeshPatch>;
 
 Wall disc(double radius, double z);
 Wall tube(double radius, double z_bottom, double z_top);
@@ -30,9 +39,20 @@ Wall cone(double radius_bottom, double z_bottom, double radius_top, double z_top
 
 // The way from a point to the nearest point of the wall.
 struct WallDistance {
-    double distance;  // m; for a plane negative behind it
-    Vec3 n;           // unit, from the point to the wall
+    double
+        distance;  // m; for a plane negative behind it, for a patch infinite where another patch answers
+    Vec3 n;        // unit, from the point to the wall
 };
 WallDistance distance(const Wall&, Vec3 point);
+
+// The same distance in m, but of the shape alone, whichever patch answers: at most `distance`. Who may soon touch is asked by
+// this, because a grain that rolls over a sharp edge is handed from one patch to the next at full overlap.
+double clearance(const Wall&, Vec3 point);
+
+// Along the axes; infinite for a plane.
+struct Box {
+    Vec3 low, high;  // m
+};
+Box bounds(const Wall&);
 
 }  // namespace dem_min

@@ -160,6 +160,7 @@ Json to_json(const rigs::PileRecord& r) {
     json["base_radius"] = finite(r.base_radius);
     json["grain_diameter"] = finite(r.grain_diameter);
     json["hash"] = fmt::format("{:016x}", r.hash);
+    if (!r.notes.empty()) json["notes"] = r.notes;
     return json;
 }
 

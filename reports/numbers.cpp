@@ -150,6 +150,7 @@ std::string quantity(double value, const std::string& si_unit) {
                        " " + unit;
         }
     }
+    if (si_unit == "deg") return number(value) + " deg";  // takes no prefix, and has an e in it
     return short_exponent(cases::format_si(four_digits(value), si_unit));
 }
 

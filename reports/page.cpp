@@ -70,6 +70,7 @@ bool has_checks(const Page& page) {
 void set_checks(data& d, const Page& page) {
     const bool any = has_checks(page);
     d["has_checks"] = any;
+    d["checks_heading"] = page.checks_heading;
     const std::vector<verify::Check> none;
     set_list(d, "check_groups", checks_part(any ? page.verification->checks : none));
     const bool bits = any && page.verification->similarity;
@@ -79,8 +80,9 @@ void set_checks(data& d, const Page& page) {
 }
 
 void set_runs(data& d, const Page& page) {
-    d["runs_heading"] = page.verification ? "Reference and scaled heaps, laid over each other"
-                                          : "What was simulated";
+    const bool heaps = page.verification && page.verification->similarity;
+    d["runs_heading"] =
+        heaps ? "Reference and scaled heaps, laid over each other" : "What was simulated";
     set_list(d, "runs", runs_part(runs_of(page)));
 }
 
@@ -91,8 +93,9 @@ data sections_data(const Page& page) {
                {"groups", "groups"},
                {"adhesion", "adhesion"},
                {"cost", "cost"}};
-    if (!runs_of(page).empty()) all.emplace_back("runs", page.verification ? "heaps" : "runs");
-    if (has_checks(page)) all.emplace_back("checks", "exact checks");
+    const bool heaps = page.verification && page.verification->similarity;
+    if (!runs_of(page).empty()) all.emplace_back("runs", heaps ? "heaps" : "runs");
+    if (has_checks(page)) all.emplace_back("checks", "checks");
     if (!page.limits.empty()) all.emplace_back("limits", "limits");
     all.emplace_back("repeat", "repeat it");
     data list{data::type::list};

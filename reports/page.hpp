@@ -24,6 +24,7 @@ struct Page {
     std::optional<Verification>
         verification{};  // its comparisons become sections, after those of `runs`
     std::vector<RunSection> runs{};
+    std::string checks_heading = "Exact answers";
     std::vector<std::string> limits{};  // what the result does not show, a sentence each
     Provenance provenance{};
     std::string data{};  // JSON of the same result, embedded as it is; may be empty

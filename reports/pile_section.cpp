@@ -138,6 +138,7 @@ RunSection pile_section(const std::string& name, const rigs::PileRecord& record)
         record.packing_fraction ? number(*record.packing_fraction)
                                 : std::string("not to be had (too small a heap)"),
         number(record.coordination), count(static_cast<double>(record.steps))));
+    section.notes.insert(section.notes.end(), record.notes.begin(), record.notes.end());
     return section;
 }
 

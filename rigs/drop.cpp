@@ -123,7 +123,7 @@ Ended touch(const DropSetup& setup, State& s, Recorder& recorder) {
         s = {start.t + sim.time(), start.x + sim.grains.x[0], sim.grains.z[0] - setup.radius,
              sim.grains.vx[0],     sim.grains.vz[0],          sim.grains.wy[0]};
         recorder.move(before, s);
-        const bool touches = sim.wall_contacts.count() > 0;
+        const bool touches = dem_min::wall_contact_count(sim) > 0;
         if (!touches && (touched || s.vz > 0.0)) return Ended::parted;
         touched = touches;
         calm_steps = touches && calm(setup, s) ? calm_steps + 1.0 : 0.0;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace rigs {
 namespace {
@@ -26,6 +27,8 @@ std::vector<dem_min::Wall> walls(const PileConditions& c) {
         result.push_back(dem_min::cone(0.5 * c.funnel->outlet_diameter, c.funnel->outlet_height,
                                        0.5 * c.funnel->top_diameter,
                                        c.funnel->outlet_height + c.funnel->height));
+    for (const dem_min::Surface& mesh : c.meshes)
+        for (dem_min::Wall& wall : dem_min::mesh_walls(mesh)) result.push_back(std::move(wall));
     return result;
 }
 
@@ -48,9 +51,11 @@ double heap_top(const Simulation& s) {
         const auto k = static_cast<std::size_t>(grain);
         if (!s.grains.fixed(k)) top = std::max(top, s.grains.z[k] + s.grains.radius[k]);
     };
-    for (const int i : s.pairs.i) raise(i);
-    for (const int j : s.pairs.j) raise(j);
-    for (const int i : s.wall_contacts.i) raise(i);
+    dem_min::for_each_contact(
+        s, [&](std::size_t group, const dem_min::Contacts& c, std::size_t slot) {
+            raise(c.i[slot]);
+            if (!s.at_wall(group)) raise(c.j[slot]);
+        });
     return top;
 }
 
@@ -172,6 +177,7 @@ PileRecord record(const PileRun& run, const PileSetup& setup) {
     result.base_radius = result.heap.base_radius;
     result.grain_diameter = setup.d;
     result.hash = dem_min::state_hash(s);
+    result.notes = setup.notes;
     return result;
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cases/case.hpp"
+#include "dem_min/mesh.hpp"
 #include "dem_min/simulation.hpp"
 #include "rigs/angle_of_repose.hpp"
 #include "rigs/formed.hpp"
@@ -29,9 +30,10 @@ struct PileConditions {
     Base base;
     double base_diameter, rim_height;  // m
     int grains;
-    double drop_height, feed_diameter;  // m
-    double feed_rate;                   // grains per second
-    std::optional<Funnel> funnel;       // instead of the feed disc
+    double drop_height, feed_diameter;          // m
+    double feed_rate;                           // grains per second
+    std::optional<Funnel> funnel;               // instead of the feed disc
+    std::vector<dem_min::Surface> meshes = {};  // walls beside those above
 };
 
 // From an experiment of the rig `pile`, defaults filled in: drop_height 5 d, feed_diameter 6 d, feed_rate such that the stream
@@ -47,12 +49,13 @@ struct PileSetup {
     double d, density;  // m, kg/m^3
     double gravity;     // m/s^2, along -z
     ContactParameters grains, walls;
-    double time_step, skin, lost_below;  // s, m, m
-    double rest_duration;                // s, sqrt(1000 d/g)
-    double longest;                      // s: a run that has not come to rest by then is given up
-    std::vector<double> feed_time;       // s, [grains]
-    std::vector<double> feed_x, feed_y;  // m, [grains]
-    std::vector<double> radius;          // m, [grains]
+    double time_step, skin, lost_below;   // s, m, m
+    double rest_duration;                 // s, sqrt(1000 d/g)
+    double longest;                       // s: a run that has not come to rest by then is given up
+    std::vector<double> feed_time;        // s, [grains]
+    std::vector<double> feed_x, feed_y;   // m, [grains]
+    std::vector<double> radius;           // m, [grains]
+    std::vector<std::string> notes = {};  // on the apparatus: open edges of a mesh and the like
 };
 
 // The material and the model of a case with the conditions of one of its experiments; feeding places and sizes drawn from
@@ -98,6 +101,7 @@ struct PileRecord {
     double time_step;                    // s
     double base_radius, grain_diameter;  // m
     std::uint64_t hash;                  // of the final state in the setup's own units
+    std::vector<std::string> notes;      // on the apparatus, for the reader of the result
 };
 
 PileRecord record(const PileRun&, const PileSetup&);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace rigs {
 namespace {
@@ -86,6 +87,17 @@ PileConditions pile_conditions(const cases::Experiment& experiment) {
     return c;
 }
 
+// The meshes of the case, as they stand; and what was noted when they were read.
+static void take_meshes(PileSetup& s, const std::vector<cases::Mesh>& meshes) {
+    for (const cases::Mesh& mesh : meshes) {
+        dem_min::Surface surface;
+        for (const auto& [x, y, z] : mesh.vertices) surface.vertices.push_back({x, y, z});
+        surface.triangles = mesh.triangles;
+        s.conditions.meshes.push_back(std::move(surface));
+        s.notes.insert(s.notes.end(), mesh.notes.begin(), mesh.notes.end());
+    }
+}
+
 double default_feed_rate(const PileConditions& c, double d, double gravity) {
     const double fall_speed = std::sqrt(2.0 * gravity * c.drop_height);
     const double stream = std::numbers::pi / 4.0 * c.feed_diameter * c.feed_diameter * fall_speed;
@@ -101,6 +113,7 @@ PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment,
     const contact::Material grain = grain_material(experiment), plate = plate_material(experiment);
     PileSetup s{};
     s.conditions = pile_conditions(experiment);
+    take_meshes(s, experiment.meshes);
     s.d = experiment.grain.diameter.value.value();
     s.density = grain.density.value();
     s.gravity = experiment.surroundings.gravity.value();
@@ -170,6 +183,8 @@ PileSetup scaled(const PileSetup& original, const scaling::ScaleMap& map) {
     if (c.funnel)
         times(map.factor("apparatus_length"), c.funnel->outlet_diameter, c.funnel->top_diameter,
               c.funnel->height, c.funnel->outlet_height);
+    for (dem_min::Surface& mesh : c.meshes)
+        for (contact::Vec3& v : mesh.vertices) times(map.factor("apparatus_length"), v.x, v.y, v.z);
     times(1.0 / time, c.feed_rate);
     times(length, s.d, s.skin, s.lost_below);
     times(map.factor("density"), s.density);

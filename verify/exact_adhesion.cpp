@@ -29,9 +29,9 @@ double rebound(double restitution, double speed, double time_step, double phase)
     dem_min::Simulation s =
         two_grains(sphere, {.work_of_adhesion = work_of_adhesion, .restitution = restitution},
                    speed, (3.0 + phase) * speed * time_step, time_step);
-    while (s.pairs.count() == 0) dem_min::step(s);
+    while (dem_min::pair_count(s) == 0) dem_min::step(s);
     bool parting = false;
-    while (s.pairs.count() > 0) {
+    while (dem_min::pair_count(s) > 0) {
         dem_min::step(s);
         const double apart = s.grains.vx[1] - s.grains.vx[0];
         if (parting && apart <= 0.0) return 0.0;
@@ -76,9 +76,9 @@ void pulling(std::vector<Check>& checks) {
         two_grains(sphere, {.work_of_adhesion = work_of_adhesion}, 0.0, -gap, time_step);
     dem_min::step(s);
     double tension = 0.0, farthest = 0.0, last = 0.0;
-    while (s.pairs.count() > 0 && farthest < 3.0 * gap) {
-        tension = std::max(tension, -s.pairs.fx[0]);
-        last = -s.pairs.fx[0];
+    while (dem_min::pair_count(s) > 0 && farthest < 3.0 * gap) {
+        tension = std::max(tension, -s.grains.fx[1]);
+        last = -s.grains.fx[1];
         farthest = std::max(farthest, s.grains.x[1] - s.grains.x[0] - 2.0 * sphere.radius);
         for (double* v : {&s.grains.vx[0], &s.grains.fx[0], &s.grains.fx[1]}) *v = 0.0;
         s.grains.vx[1] = way / time_step;

@@ -61,7 +61,7 @@ Bounce bounce(const ContactChoice& choice, double speed, double angle, double sp
         grain_on_plane(sphere, choice, 2.5 * speed * std::cos(angle) * step, v, {}, step);
     s.grains.wy[0] = spin;
     do dem_min::step(s);
-    while (s.wall_contacts.count() > 0 || s.grains.vz[0] < 0.0);
+    while (dem_min::wall_contact_count(s) > 0 || s.grains.vz[0] < 0.0);
     return {s.grains.vx[0], s.grains.vz[0], s.grains.wy[0]};
 }
 

@@ -23,10 +23,10 @@ Impact simulated(const Sphere& sphere, const ContactChoice& choice, double time_
     dem_min::Simulation s = two_grains(sphere, choice, speed, 10.5 * speed * time_step, time_step);
     std::int64_t in_contact = 0;
     double largest = 0.0;
-    while (s.steps < 20 || s.pairs.count() > 0) {
+    while (s.steps < 20 || dem_min::pair_count(s) > 0) {
         dem_min::step(s);
-        in_contact += s.pairs.count() > 0;
-        if (s.pairs.count() > 0) largest = std::max(largest, s.pairs.overlap[0]);
+        in_contact += dem_min::pair_count(s) > 0;
+        largest = std::max(largest, 0.5 * sphere.radius * dem_min::largest_overlap(s));
         if (s.time() > 100.0 * time_step * steps_per_hit) break;
     }
     return {s.grains.vx[1] - s.grains.vx[0], static_cast<double>(in_contact) * time_step, largest};

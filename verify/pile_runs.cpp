@@ -38,6 +38,10 @@ std::string described(const rigs::PileSetup& s) {
         for (const double value : {c.funnel->outlet_diameter, c.funnel->top_diameter,
                                    c.funnel->height, c.funnel->outlet_height})
             add(value);
+    for (const dem_min::Surface& mesh : c.meshes) {
+        for (const contact::Vec3& v : mesh.vertices) add(v.x), add(v.y), add(v.z);
+        for (const auto& [i, j, k] : mesh.triangles) text += fmt::format(" {} {} {}", i, j, k);
+    }
     for (const auto* list : {&s.feed_time, &s.feed_x, &s.feed_y, &s.radius})
         for (const double value : *list) add(value);
     return text;

@@ -44,7 +44,7 @@ void redirect(const std::string& path, int descriptor) {
 
 }  // namespace
 
-Outcome similitude(const std::vector<std::string>& arguments, int interrupt_after) {
+Outcome similitude(const std::vector<std::string>& arguments, const std::vector<Signal>& signals) {
     const Folder folder;
     std::vector<std::string> words = {SIMILITUDE_PROGRAM};
     words.insert(words.end(), arguments.begin(), arguments.end());
@@ -60,14 +60,18 @@ Outcome similitude(const std::vector<std::string>& arguments, int interrupt_afte
         execv(argv[0], argv.data());
         _exit(127);
     }
-    if (interrupt_after > 0) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(interrupt_after));
-        kill(child, SIGINT);
+    for (const Signal& signal : signals) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(signal.after));
+        kill(child, signal.number);  // a child that has ended is still there until it is waited for
     }
     int status = 0;
     waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contents(out),
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status), contents(out),
             contents(err)};
+}
+
+Outcome similitude(const std::vector<std::string>& arguments, int interrupt_after) {
+    return similitude(arguments, std::vector<Signal>{{interrupt_after, SIGINT}});
 }
 
 std::string tiny_case(const std::string& old, const std::string& by) {

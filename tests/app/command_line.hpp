@@ -9,7 +9,7 @@
 #include <vector>
 
 struct Outcome {
-    int code;  // exit code, or 128 + the signal that ended it
+    int code;  // exit code, or 1000 + the signal that ended it
     std::string out, err;
 
     nlohmann::ordered_json json() const { return nlohmann::ordered_json::parse(out); }
@@ -30,9 +30,16 @@ class Folder {
     std::filesystem::path path_;
 };
 
-// Runs the program with these arguments, each as it is, without a shell. With `interrupt_after` > 0
-// it gets SIGINT that many milliseconds after its start.
-Outcome similitude(const std::vector<std::string>& arguments, int interrupt_after = 0);
+struct Signal {
+    int after;  // ms since the one before, or since the start
+    int number;
+};
+
+// Runs the program with these arguments, each as it is, without a shell, and sends it the signals.
+Outcome similitude(const std::vector<std::string>& arguments,
+                   const std::vector<Signal>& signals = {});
+// Likewise, with SIGINT so many milliseconds after its start.
+Outcome similitude(const std::vector<std::string>& arguments, int interrupt_after);
 
 std::string contents(const std::string& path);
 

@@ -12,9 +12,11 @@ export root work
 
 declare -A tests_of=(
     [hertz.hpp]=hertz [jkr.hpp]=jkr [friction_cap.hpp]=friction_cap [damping_tsuji1992.hpp]=damping_tsuji1992
-    [mindlin.hpp]=mindlin [yield.hpp]=mindlin [vec3.hpp]=vec3 [coulomb.hpp]=coulomb [rolling_epsd.hpp]=rolling_epsd
+    [damping.hpp]=damping_viscoelastic
+    [mindlin.hpp]="mindlin damping_viscoelastic" [yield.hpp]=mindlin [vec3.hpp]=vec3 [coulomb.hpp]=coulomb [rolling_epsd.hpp]=rolling_epsd
     [rolling_sds.hpp]=rolling_sds [rolling_edem_standard.hpp]=rolling_constant_torque
-    [twisting_marshall2009.hpp]=twisting_marshall2009 [rolling_rvd.hpp]=rolling_constant_torque [effective.hpp]=effective [scale_free.hpp]=scale_free
+    [twisting_marshall2009.hpp]="twisting_marshall2009 damping_viscoelastic"
+    [rolling_rvd.hpp]=rolling_constant_torque [effective.hpp]=effective [scale_free.hpp]=scale_free
     [parameters.cpp]="effective damping_tsuji1992")
 # The start of an iteration that converges from anywhere near.
 harmless='double y = 0\.74'

@@ -2,6 +2,7 @@
 // Bad parameters throw, name themselves, and say the rule; good ones at the border pass.
 #include "contact/coulomb.hpp"
 #include "contact/damping_tsuji1992.hpp"
+#include "contact/damping_viscoelastic.hpp"
 #include "contact/effective.hpp"
 #include "contact/hertz.hpp"
 #include "contact/jkr.hpp"
@@ -58,6 +59,12 @@ std::vector<Parameter> parameters() {
          [](double x) { contact::DampingTsuji1992::from(x); },
          {-0.1, 1.1, nan},
          {0.0, 0.5, 1.0}},
+        {"DampingViscoelastic.eta",
+         [](double x) { contact::DampingViscoelastic::from(x / (si::meters * si::seconds), 0.5); },
+         negative, not_negative},
+        {"DampingViscoelastic.tangential_ratio",
+         [](double x) { contact::DampingViscoelastic::from(1e9 / (si::meters * si::seconds), x); },
+         negative, not_negative},
         {"Mindlin.g_star", [](double x) { contact::Mindlin::from(x * pa, 0.3); }, not_positive,
          positive},
         {"Mindlin.sliding_friction", [](double x) { contact::Mindlin::from(1e9 * pa, x); },

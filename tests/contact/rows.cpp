@@ -2,7 +2,7 @@
 #include "tests/contact/rows.hpp"
 
 #include "contact/coulomb.hpp"
-#include "contact/damping_tsuji1992.hpp"
+#include "contact/damping.hpp"
 #include "contact/friction_cap.hpp"
 #include "contact/hertz.hpp"
 #include "contact/jkr.hpp"
@@ -34,7 +34,8 @@ constexpr Dimension one{0, 0, 0}, metre{0, 1, 0}, second{0, 0, 1}, kilogram{1, 0
 constexpr Dimension newton{1, 1, -2}, joule{1, 2, -2}, pascal{1, -1, -2};
 constexpr Dimension metre_per_second{0, 1, -1}, per_second{0, 0, -1};
 constexpr Dimension newton_per_metre{1, 0, -2}, kilogram_per_second{1, 0, -1};
-constexpr Dimension per_inertia{-1, -2, 0};  // 1/(kg m^2)
+constexpr Dimension per_inertia{-1, -2, 0};       // 1/(kg m^2)
+constexpr Dimension per_metre_second{0, -1, -1};  // 1/(m s)
 
 void add(Quantities& to, const std::string& name, Dimension dimension, Vec3 v) {
     to.push_back({name + ".x", dimension, v.x});
@@ -98,6 +99,24 @@ Row damping() {
             }};
 }
 
+Row viscoelastic() {
+    return {.law = "Damping",
+            .states = {{{{"factor", one, 0.4},
+                         {"eta", per_metre_second, 3e9},
+                         {"tangential_ratio", one, 0.7},
+                         {"e_star", pascal, 3.1e9},
+                         {"contact_radius", metre, 1.3e-6},
+                         {"m_star", kilogram, 4.4e-9}}}},
+            .evaluate = [](const State& x) {
+                contact::Damping law = contact::DampingTsuji1992{x("factor")};
+                law.viscoelastic = {x("eta"), x("tangential_ratio")};
+                const double a = x("contact_radius"), m_star = x("m_star");
+                return Quantities{
+                    {"normal", kilogram_per_second, law.normal(x("e_star"), a, m_star)},
+                    {"tangential", kilogram_per_second, law.viscoelastic.tangential(a, m_star)}};
+            }};
+}
+
 Row friction_cap() {
     return {.law = "cap_force",
             .states = {{{{"elastic", newton, 3e-4},
@@ -131,15 +150,21 @@ contact::TangentialInput tangential_input(const State& x) {
             .cap_force = x("cap_force"),
             .damping_factor = x("damping_factor"),
             .m_star = x("m_star"),
-            .dt = x("dt")};
+            .dt = x("dt"),
+            .extra_dashpot = x("extra_dashpot")};
 }
 
 Row mindlin() {
     const auto state = [](double friction, double radius) {
-        Quantities in{{"g_star", pascal, 0.9e9},         {"sliding_friction", one, friction},
-                      {"contact_radius", metre, radius}, {"previous_radius", metre, 1.3e-6},
-                      {"cap_force", newton, 3e-4},       {"damping_factor", one, 0.4},
-                      {"m_star", kilogram, 4.4e-9},      {"dt", second, 1e-7}};
+        Quantities in{{"g_star", pascal, 0.9e9},
+                      {"sliding_friction", one, friction},
+                      {"contact_radius", metre, radius},
+                      {"previous_radius", metre, 1.3e-6},
+                      {"cap_force", newton, 3e-4},
+                      {"damping_factor", one, 0.4},
+                      {"m_star", kilogram, 4.4e-9},
+                      {"dt", second, 1e-7},
+                      {"extra_dashpot", kilogram_per_second, 1.7e-3}};
         add(in, "spring", metre, {1.1e-8, 0.4e-8, -0.5e-8});
         add(in, "n", one, normal);
         add(in, "slip_velocity", metre_per_second, {0.010, -0.020, 0.0075});
@@ -304,31 +329,33 @@ Row twisting() {
                       {"cap_force", newton, cap_force},
                       {"damping_factor", one, 0.5},
                       {"m_star", kilogram, 2e-9},
-                      {"dt", second, 1e-7}}};
+                      {"dt", second, 1e-7},
+                      {"extra_dashpot", kilogram_per_second, 1.2e-3}}};
     };
-    return {.law = "TwistingMarshall2009",
-            .states = {state(1.0, 1.2e-6), state(1e-6, 1.0e-6)},  // sticks as it grows; is mobilised
-            .evaluate = [](const State& x) {
-                const contact::TwistingMarshall2009 law{x("g_star"), x("sliding_friction")};
-                const contact::TwistingState r = law.step({.angle = x("angle"),
-                                                           .previous_radius = x("previous_radius"),
-                                                           .contact_radius = x("contact_radius"),
-                                                           .spin = x("spin"),
-                                                           .cap_force = x("cap_force"),
-                                                           .damping_factor = x("damping_factor"),
-                                                           .m_star = x("m_star"),
-                                                           .dt = x("dt")});
-                return Quantities{{"torque_on_j", joule, r.torque_on_j},
-                                  {"angle", one, r.angle},
-                                  {"stored", joule, r.stored},
-                                  {"dissipated", joule, r.dissipated}};
-            }};
+    return {
+        .law = "TwistingMarshall2009",
+        .states = {state(1.0, 1.2e-6), state(1e-6, 1.0e-6)},  // sticks as it grows; is mobilised
+        .evaluate = [](const State& x) {
+            const contact::TwistingMarshall2009 law{x("g_star"), x("sliding_friction")};
+            const contact::TwistingState r = law.step({.angle = x("angle"),
+                                                       .previous_radius = x("previous_radius"),
+                                                       .contact_radius = x("contact_radius"),
+                                                       .spin = x("spin"),
+                                                       .cap_force = x("cap_force"),
+                                                       .damping_factor = x("damping_factor"),
+                                                       .m_star = x("m_star"),
+                                                       .dt = x("dt"),
+                                                       .extra_dashpot = x("extra_dashpot")});
+            return Quantities{{"torque_on_j", joule, r.torque_on_j},
+                              {"angle", one, r.angle},
+                              {"stored", joule, r.stored},
+                              {"dissipated", joule, r.dissipated}};
+        }};
 }
 
 }  // namespace
 
 std::vector<Row> all_laws() {
-    return {hertz(),   jkr(),  damping(), friction_cap(),  mindlin(),
-            coulomb(), epsd(), sds(),     edem_standard(), rvd(),
-            twisting()};
+    return {hertz(),   jkr(),  damping(), viscoelastic(),  friction_cap(), mindlin(),
+            coulomb(), epsd(), sds(),     edem_standard(), rvd(),          twisting()};
 }

@@ -35,7 +35,7 @@ TEST_CASE("a run that goes on from a checkpoint gives the bits of one never inte
     const samples::System system = samples::rain(samples::sticky(), 60, walled, true);
     Simulation whole = samples::simulation(system, 1, true);
     run(whole, 1700);
-    REQUIRE(whole.pairs.count() + whole.wall_contacts.count() > 10);  // history to be kept
+    REQUIRE(pair_count(whole) + wall_contact_count(whole) > 10);  // history to be kept
     const TemporaryFile file;
     dem_min::write_checkpoint(whole, file.path);
     Simulation resumed = samples::simulation(system, 1, true);

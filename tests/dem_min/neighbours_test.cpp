@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "dem_min/neighbours.hpp"
 
+#include "dem_min/random.hpp"
 #include "tests/dem_min/system.hpp"
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -13,37 +15,50 @@ using dem_min::step;
 using samples::Powder;
 using samples::sticky;
 
-namespace {
-
-std::set<std::pair<int, int>> listed(const dem_min::CandidateList& list) {
-    std::set<std::pair<int, int>> pairs;
-    for (std::size_t c = 0; c < list.count(); ++c) pairs.insert({list.i[c], list.j[c]});
-    return pairs;
-}
-
-}  // namespace
-
-// Against all pairs, with sizes that differ by 2 and a gap that grows with R*.
-TEST_CASE("the list holds exactly the pairs within reach, gap and skin", "[dem_min][neighbours]") {
-    const samples::System system = samples::rain(sticky(), 100, true, true);
-    const Simulation s = samples::simulation(system);
+// Against all pairs: sizes that differ by 2 to 10, several tiles, contacts in between, open and periodic boxes.
+TEST_CASE("the list holds each pair that its margins can reach and that is not in contact",
+          "[dem_min][neighbours]") {
+    const double smallest = GENERATE(1.0, 0.5, 0.1);
+    const bool periodic = GENERATE(false, true);
+    const double d = 1e-4, box = 20.0 * d;
+    Simulation s;
+    s.settings.time_step = 1e-7;
+    s.settings.skin = GENERATE(0.05, 0.4) * d;
+    if (periodic) s.settings.period_x = s.settings.period_y = box;
+    s.between_grains = s.at_walls = samples::laws(samples::dry());
+    const dem_min::RandomStream places{11, 0}, sizes{11, 1};
+    for (std::uint64_t k = 0; k < 2600; ++k) {
+        const auto place = [&](std::uint64_t axis) { return box * places.uniform(3 * k + axis); };
+        const double r = 0.5 * d * (smallest + (1.0 - smallest) * sizes.uniform(k));
+        insert(s, {{place(0), place(1), place(2)}, {}, {}, r, 2500.0, k % 7 == 0});
+    }
+    find_neighbours(s);
+    for (std::size_t t = 0; t < s.tiles.size(); ++t) begin_contacts(s, t);
+    REQUIRE(pair_count(s) > 100);
+    s.list_is_stale = true;
+    find_neighbours(s);
+    std::set<std::pair<int, int>> listed, expected;
+    for (const dem_min::Tile& tile : s.tiles)
+        for (std::size_t c = 0; c < tile.near_grains.count(); ++c)
+            REQUIRE(listed.insert({tile.near_grains.i[c], tile.near_grains.j[c]}).second);
     const dem_min::Particles& p = s.grains;
-    const double skin = GENERATE(0.6, 1.0, 2.0) * 1e-4;
-    const auto gap = [](double r_star) { return 0.4 * r_star; };
-    dem_min::Neighbours neighbours;
-    dem_min::Contacts pairs, walls;
-    find_neighbours(neighbours, p, s.walls, pairs, walls, skin, gap, gap, GENERATE(1, 3));
-    std::set<std::pair<int, int>> expected;
-    for (int i = 0; i < 100; ++i)
-        for (int j = i + 1; j < 100; ++j) {
-            const auto a = static_cast<std::size_t>(i), b = static_cast<std::size_t>(j);
-            const double sum = p.radius[a] + p.radius[b];
-            const double r_star = p.radius[a] * p.radius[b] / sum;
-            const double apart = contact::norm(p.position(b) - p.position(a)) - sum;
-            if (apart <= gap(r_star) + skin) expected.insert({i, j});
+    const auto nearest = [&](double way) {
+        return periodic ? way - box * std::round(way / box) : way;
+    };
+    for (std::size_t i = 0; i < p.count(); ++i)
+        for (std::size_t j = i + 1; j < p.count(); ++j) {
+            const double dx = nearest(p.x[j] - p.x[i]), dy = nearest(p.y[j] - p.y[i]);
+            const double apart =
+                std::sqrt(dx * dx + dy * dy + (p.z[j] - p.z[i]) * (p.z[j] - p.z[i]));
+            const double gap = apart - (p.radius[i] + p.radius[j]);
+            const double margin =
+                s.tiles[i / dem_min::tile_size].margin + s.tiles[j / dem_min::tile_size].margin;
+            const bool both_fixed = p.fixed(i) && p.fixed(j);
+            if (gap > 0.0 && gap <= margin && !both_fixed)
+                expected.insert({static_cast<int>(i), static_cast<int>(j)});
         }
     REQUIRE(!expected.empty());
-    REQUIRE(listed(neighbours.pairs) == expected);
+    REQUIRE(listed == expected);
 }
 
 // Two grains drawn apart slowly, the list made anew at every step by a skin of nothing: the contact
@@ -61,10 +76,10 @@ TEST_CASE("a stretched adhesive pair is never lost before it tears", "[dem_min][
     system.grains[1].position.x -= 1e-7;  // touching
     Simulation s = samples::simulation(system);
     step(s);
-    REQUIRE(s.pairs.count() == 1);
+    REQUIRE(pair_count(s) == 1);
     double longest = 0.0;
     const double speed = gap / 1000.0 / system.time_step;
-    while (s.pairs.count() == 1 && longest < 2.0 * gap) {
+    while (pair_count(s) == 1 && longest < 2.0 * gap) {
         longest = std::max(longest, s.grains.x[1] - s.grains.x[0] - p.diameter);
         s.grains.vx[1] = speed, s.grains.fx[1] = 0.0;  // pulled at this speed, whatever resists
         step(s);
@@ -78,10 +93,10 @@ TEST_CASE("grains far apart cost no memory and meet nobody", "[dem_min][neighbou
     system.grains.push_back({{1e4, 0.0, 0.0}, {}, {}, 5e-5, 2500.0, false});
     system.grains.push_back({{0.0, 1e4, 1e4}, {}, {}, 5e-5, 2500.0, false});
     Simulation s = samples::simulation(system);
-    for (int k = 0; k < 100 && s.pairs.count() == 0; ++k) step(s);
-    REQUIRE(s.pairs.count() == 1);
-    REQUIRE(s.pairs.i[0] == 0);
-    REQUIRE(s.pairs.j[0] == 1);
+    for (int k = 0; k < 100 && pair_count(s) == 0; ++k) step(s);
+    REQUIRE(pair_count(s) == 1);
+    REQUIRE(s.tiles[0].groups[0].i == std::vector<int>{0});
+    REQUIRE(s.tiles[0].groups[0].j == std::vector<int>{1});
 }
 
 // Fast grains outrun a list in few steps: it must be made anew in time. Two grains 30 diameters
@@ -90,7 +105,7 @@ TEST_CASE("a grain that comes from far is seen when it arrives", "[dem_min][neig
     const Powder p = samples::dry();
     Simulation s = samples::simulation(samples::two_grains(p, 1.0, 30.0 * p.diameter, false));
     bool met = false;
-    for (int k = 0; k < 5000 && !met; ++k) step(s), met = s.pairs.count() == 1;
+    for (int k = 0; k < 5000 && !met; ++k) step(s), met = pair_count(s) == 1;
     REQUIRE(met);
     REQUIRE(s.time() == Approx(30.0 * p.diameter / 1.0).margin(s.settings.time_step));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/dem_min/system.hpp"
 
+#include "dem_min/mesh.hpp"
 #include "dem_min/random.hpp"
 #include "dem_min/timestep.hpp"
 #include "dem_min/walls.hpp"
@@ -39,6 +40,7 @@ struct Scaler {
     void operator()(dem_min::Shell& wall) const {
         wall.r0 *= length, wall.z0 *= length, wall.r1 *= length, wall.z1 *= length;
     }
+    void operator()(dem_min::MeshPatch& wall) const { wall = dem_min::scaled(wall, length); }
 };
 
 void scale(dem_min::Laws& laws, const Scaler& scaler) {

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "dem_min/tiles.hpp"
+
+#include "dem_min/simulation.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace dem_min {
+namespace {
+
+// The lower 21 bits of x, with two zeros after each.
+std::uint64_t spread(std::uint64_t x) {
+    x &= 0x1fffff;
+    x = (x | x << 32) & 0x1f00000000ffff;
+    x = (x | x << 16) & 0x1f0000ff0000ff;
+    x = (x | x << 8) & 0x100f00f00f00f00f;
+    x = (x | x << 4) & 0x10c30c30c30c30c3;
+    return (x | x << 2) & 0x1249249249249249;
+}
+
+std::vector<std::uint64_t> morton_codes(const Particles& p) {
+    const double width = 2.0 * *std::max_element(p.radius.begin(), p.radius.end());
+    const double x0 = *std::min_element(p.x.begin(), p.x.end());
+    const double y0 = *std::min_element(p.y.begin(), p.y.end());
+    const double z0 = *std::min_element(p.z.begin(), p.z.end());
+    const auto cell = [width](double x) {
+        return static_cast<std::uint64_t>(std::min(x / width, 2097151.0));
+    };
+    std::vector<std::uint64_t> codes(p.count());
+    for (std::size_t k = 0; k < p.count(); ++k)
+        codes[k] = spread(cell(p.x[k] - x0)) | spread(cell(p.y[k] - y0)) << 1 |
+                   spread(cell(p.z[k] - z0)) << 2;
+    return codes;
+}
+
+}  // namespace
+
+void Candidates::add(int grain_i, int partner_j, double when) {
+    i.push_back(grain_i), j.push_back(partner_j), due.push_back(when);
+}
+
+void Candidates::remove(std::size_t index) {
+    i[index] = i.back(), i.pop_back();
+    j[index] = j.back(), j.pop_back();
+    due[index] = due.back(), due.pop_back();
+}
+
+void Candidates::clear() { i.clear(), j.clear(), due.clear(); }
+
+std::size_t Tile::contacts() const {
+    std::size_t sum = 0;
+    for (const Contacts& group : groups) sum += group.count();
+    return sum;
+}
+
+void fit_tiles(Simulation& s) {
+    const std::size_t needed = (s.grains.count() + tile_size - 1) / tile_size;
+    if (s.tiles.size() < needed) s.tiles.resize(needed);
+    for (Tile& tile : s.tiles) tile.groups.resize(s.groups());
+}
+
+void renumber(Simulation& s, const std::vector<int>& new_index) {
+    s.grains.renumber(new_index);
+    std::vector<Tile> old = std::move(s.tiles);
+    s.tiles.clear();
+    fit_tiles(s);
+    for (const Tile& tile : old) {
+        s.past.heat += tile.ended;
+        for (std::size_t g = 0; g < tile.groups.size(); ++g) {
+            const Contacts& from = tile.groups[g];
+            for (std::size_t slot = 0; slot < from.count(); ++slot) {
+                const int i = new_index[static_cast<std::size_t>(from.i[slot])];
+                const int j =
+                    s.at_wall(g) ? from.j[slot] : new_index[static_cast<std::size_t>(from.j[slot])];
+                if (i < 0 || j < 0) continue;
+                s.tiles[static_cast<std::size_t>(tile_of(i))].groups[g].add_copy(from, slot, i, j);
+            }
+        }
+    }
+    s.list_is_stale = true;
+}
+
+void reorder(Simulation& s) {
+    const std::size_t n = s.grains.count();
+    if (n <= tile_size) return;
+    const std::vector<std::uint64_t> codes = morton_codes(s.grains);
+    std::vector<int> order(n);
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+        return codes[static_cast<std::size_t>(a)] < codes[static_cast<std::size_t>(b)];
+    });
+    std::vector<int> new_index(n);
+    for (std::size_t k = 0; k < n; ++k)
+        new_index[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+    renumber(s, new_index);
+}
+
+}  // namespace dem_min

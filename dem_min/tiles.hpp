@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// Grains are worked on in tiles: `tile_size` neighbours in memory, which are neighbours in space too after `reorder`. A tile
+// owns the contacts whose grain i is its own, and finds, evaluates and ends them without asking another tile.
+//
+// The sum of the loads on a grain has one order, whatever the number of threads and whichever list found the contacts:
+// contacts of its own tile (group by group, slot by slot), those that other tiles own (by tile and slot), gravity.
+#pragma once
+
+#include "dem_min/contacts.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace dem_min {
+
+struct Simulation;
+
+constexpr int tile_size =
+    1024;  // grains; the state of a tile fits the second-level cache, with its contacts
+
+inline int tile_of(int grain) { return grain / tile_size; }
+
+// Pairs that do not touch but may soon. `due` is a sum of ways: as long as the two tiles together have come less far since
+// the list was made, the pair cannot touch, and nobody looks.
+struct Candidates {
+    std::vector<int> i, j;    // i < j; at a wall j is the wall
+    std::vector<double> due;  // m
+    std::size_t count() const { return i.size(); }
+    void add(int grain_i, int partner_j, double when);
+    void remove(std::size_t index);  // the last one takes the place
+    void clear();
+};
+
+// The load of a contact on a grain of another tile.
+struct Outgoing {
+    int j;
+    Vec3 force, torque;
+};
+
+// Where a tile finds such a load: entry `index` of the outbox of `tile`.
+struct Incoming {
+    int tile, index;
+};
+
+struct Tile {
+    std::vector<Contacts> groups;  // [groups of laws], see Simulation
+    Dissipation ended;             // J, by contacts of this tile that have ended (ledger on)
+
+    // The list, made anew by find_neighbours.
+    Candidates near_grains, near_walls;
+    std::vector<int> due;  // those of near_grains that are looked at in this step
+    double margin = 0.0,
+           margin_to_walls = 0.0;  // m: the list holds while no grain of the tile has come farther
+    // No grain of the tile has come farther since the list was made, m: as seen from Simulation::frame, and from the walls.
+    double way = 0.0, way_from_walls = 0.0;
+    double rounding =
+        0.0;  // m: by which the sum of a position and its way may be rounded, in one step
+    std::vector<int>
+        partners;  // other tiles that this one has candidates or contacts with, on either side
+
+    std::vector<std::pair<int, int>>
+        handed_over;  // candidates of another tile: a contact turned round by `reorder` ended
+    bool lost = false, bad = false;  // of the last drift: see Drift
+    Vec3 sum_of_velocities;          // m/s, likewise
+
+    std::vector<Outgoing> outbox;
+    std::vector<Incoming> inbox;
+    std::vector<std::uint64_t> inbox_of;  // outbox_changes of `partners` when the inbox was made
+    std::uint64_t outbox_changes = 1;     // raised when a contact of the tile begins or ends
+
+    std::size_t contacts() const;
+};
+
+// As many tiles as the grains need.
+void fit_tiles(Simulation&);
+
+// Moves grain k to new_index[k] (a permutation, or -1: taken out, contacts and all), and each contact to the tile of its
+// grain i. Shape: [grains]. The order of slots follows that of the old tiles.
+void renumber(Simulation&, const std::vector<int>& new_index);
+
+// Grains that are near in space become near in memory: they are sorted along a curve that fills it (Morton order of cells).
+void reorder(Simulation&);
+
+constexpr std::int64_t reorder_interval = 4096;  // steps
+
+}  // namespace dem_min

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// What LAMMPS reads and writes: a data file of spheres, and text dumps.
+#pragma once
+
+#include "dem_min/particles.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace engines {
+
+// The box that grains may fill; LAMMPS counts as lost what leaves it.
+struct Box {
+    dem_min::Vec3 low, high;  // m
+};
+
+// A file for read_data under atom_style sphere: loose grains have type 1, fixed ones type 2, and
+// `types` says how many types there are. Ids from 1 in the order given.
+std::string lammps_data(const std::vector<dem_min::Grain>&, const Box&, int types);
+
+// One frame of a dump; rows in the order of ids where the deck says `dump_modify sort id`.
+struct LammpsFrame {
+    std::int64_t step;
+    std::vector<std::string> columns;
+    std::vector<std::vector<double>> rows;  // shape [grains][columns]
+
+    // Throws std::runtime_error naming the column that is not there.
+    std::size_t column(const std::string& name) const;
+};
+
+// Throws std::runtime_error naming `name` and the frame where the text is no whole dump.
+std::vector<LammpsFrame> read_lammps_dump(const std::string& text, const std::string& name);
+
+}  // namespace engines

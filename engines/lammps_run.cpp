@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "engines/lammps_run.hpp"
+
+#include "engines/process.hpp"
+#include "scaling/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+namespace engines {
+namespace {
+
+// The lines that begin with ERROR, or the last one where there is none.
+std::string complaint(const std::string& output) {
+    std::istringstream in(output);
+    std::string all, last;
+    for (std::string line; std::getline(in, line);) {
+        if (line.starts_with("ERROR")) all += (all.empty() ? "" : "; ") + line;
+        if (!line.empty()) last = line;
+    }
+    return all.empty() ? last : all;
+}
+
+}  // namespace
+
+std::filesystem::path lammps_program() {
+    if (const auto found = find_program("lmp")) return *found;
+    throw scaling::InvalidInput(
+        scaling::mistake("--against", "lammps", "needs the program lmp", "apt-get install lammps"));
+}
+
+std::string lammps_release(const std::string& output) {
+    const std::string start = "LAMMPS (";
+    const std::size_t end = output.find(')');
+    if (!output.starts_with(start) || end == std::string::npos) return "unknown";
+    return output.substr(start.size(), end - start.size());
+}
+
+std::string run_lammps(const std::filesystem::path& lmp, const std::filesystem::path& folder,
+                       const std::string& deck, const std::string& data, double limit_s) {
+    std::filesystem::create_directories(folder);
+    write_text(folder / "start.data", data);
+    write_text(folder / "deck.in", deck);
+    const Finished f = run({lmp.string(), "-in", "deck.in", "-log", "none"}, folder, limit_s);
+    if (f.timed_out)
+        throw std::runtime_error(
+            fmt::format("{}: LAMMPS took longer than {:g} s", folder.string(), limit_s));
+    if (f.exit_code != 0)
+        throw std::runtime_error(fmt::format("{}: LAMMPS ended with {}: {}", folder.string(),
+                                             f.exit_code, complaint(f.out)));
+    return f.out;
+}
+
+std::string file_text(const std::filesystem::path& file) {
+    std::ifstream in(file);
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (!in) throw std::runtime_error(file.string() + ": cannot be read");
+    return text.str();
+}
+
+void write_text(const std::filesystem::path& file, const std::string& text) {
+    std::ofstream out(file);
+    out << text;
+    if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written");
+}
+
+}  // namespace engines
