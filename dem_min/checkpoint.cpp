@@ -21,8 +21,8 @@ struct Writer {
         static_assert(std::is_trivially_copyable_v<T>);
         out.write(reinterpret_cast<const char*>(&value), sizeof(T));
     }
-    template <class T>
-    void operator()(std::vector<T>& values) {
+    template <class T, class Allocator>
+    void operator()(std::vector<T, Allocator>& values) {
         std::uint64_t size = values.size();
         (*this)(size);
         out.write(reinterpret_cast<const char*>(values.data()),
@@ -37,8 +37,8 @@ struct Reader {
     void operator()(T& value) {
         in.read(reinterpret_cast<char*>(&value), sizeof(T));
     }
-    template <class T>
-    void operator()(std::vector<T>& values) {
+    template <class T, class Allocator>
+    void operator()(std::vector<T, Allocator>& values) {
         std::uint64_t size = 0;
         (*this)(size);
         if (!in || size > bytes / sizeof(T)) {
@@ -57,7 +57,7 @@ void visit(Simulation& s, Visit&& each) {
     each(s.steps);
     each(s.births);
     each(s.past);
-    for (std::vector<double>* array : s.grains.arrays()) each(*array);
+    for (Array* array : s.grains.arrays()) each(*array);
     each(s.grains.id);
     each(s.grains.material);
     fit_tiles(s);  // none before the first step
@@ -68,7 +68,7 @@ void visit(Simulation& s, Visit&& each) {
             each(group.j);
             each(group.alike);
             each(group.common);
-            for (std::vector<double>* array : group.arrays()) each(*array);
+            for (Array* array : group.arrays()) each(*array);
         }
     }
 }

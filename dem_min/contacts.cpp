@@ -31,15 +31,15 @@ Dissipation& Dissipation::operator+=(const Dissipation& other) {
     return *this;
 }
 
-std::vector<std::vector<double>*> Contacts::arrays() {
-    std::vector<std::vector<double>*> all;
+std::vector<Array*> Contacts::arrays() {
+    std::vector<Array*> all;
     visit_state(*this, [&](auto& array) { all.push_back(&array); });
     visit_books(books, [&](auto& array) { all.push_back(&array); });
     return all;
 }
 
-std::vector<const std::vector<double>*> Contacts::arrays() const {
-    std::vector<const std::vector<double>*> all;
+std::vector<const Array*> Contacts::arrays() const {
+    std::vector<const Array*> all;
     visit_state(*this, [&](auto& array) { all.push_back(&array); });
     visit_books(books, [&](auto& array) { all.push_back(&array); });
     return all;
@@ -48,7 +48,7 @@ std::vector<const std::vector<double>*> Contacts::arrays() const {
 void Contacts::add(int grain_i, int partner_j, const ContactConstants& constants, bool with_books) {
     if (count() == 0) alike = true, common = constants;
     alike = alike && constants == common;
-    const auto push_zero = [](std::vector<double>& array) { array.push_back(0.0); };
+    const auto push_zero = [](Array& array) { array.push_back(0.0); };
     visit_state(*this, push_zero);
     if (with_books) visit_books(books, push_zero);
     i.push_back(grain_i);
@@ -70,7 +70,7 @@ void Contacts::add_copy(const Contacts& other, std::size_t slot, int grain_i, in
 }
 
 void Contacts::remove(std::size_t slot) {
-    const auto take_last = [slot](std::vector<double>& array) {
+    const auto take_last = [slot](Array& array) {
         array[slot] = array.back();
         array.pop_back();
     };
@@ -81,7 +81,7 @@ void Contacts::remove(std::size_t slot) {
 }
 
 void Contacts::clear() {
-    for (std::vector<double>* array : arrays()) array->clear();
+    for (Array* array : arrays()) array->clear();
     i.clear(), j.clear();
     alike = true;
 }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "contact/vec3.hpp"
+#include "dem_min/array.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -31,20 +32,20 @@ struct Dissipation {
 
 // What the energy ledger remembers of each contact; empty while it is off.
 struct ContactBooks {
-    std::vector<double> nx, ny, nz, dashpot;           // unit normal; N, normal damping force
-    std::vector<double> fx, fy, fz;                    // N, on j
-    std::vector<double> tix, tiy, tiz, tjx, tjy, tjz;  // N m
-    std::vector<double> heat_normal, heat_tangential, heat_rolling;  // J, sums since birth
-    std::vector<double> stored_tangential, stored_rolling;           // J; rolling includes twisting
+    Array nx, ny, nz, dashpot;                         // unit normal; N, normal damping force
+    Array fx, fy, fz;                                  // N, on j
+    Array tix, tiy, tiz, tjx, tjy, tjz;                // N m
+    Array heat_normal, heat_tangential, heat_rolling;  // J, sums since birth
+    Array stored_tangential, stored_rolling;           // J; rolling includes twisting
 };
 
 struct Contacts {
     std::vector<int> i, j;  // grains; at a wall j is the wall
-    std::vector<double> r_star, m_star, length_scale;
+    Array r_star, m_star, length_scale;
     // History: tangential spring (m), rolling spring (rad or m, as the law says), twist (rad), contact radius of the
     // last step (m).
-    std::vector<double> sx, sy, sz, rx, ry, rz, twist, previous_radius;
-    std::vector<double> overlap;  // m, of the last force evaluation
+    Array sx, sy, sz, rx, ry, rz, twist, previous_radius;
+    Array overlap;  // m, of the last force evaluation
     ContactBooks books;
 
     // True while all contacts have had the same constants: they are `common` then, and loops need not read them.
@@ -57,8 +58,8 @@ struct Contacts {
     void remove(std::size_t slot);  // the last contact takes the slot
     void clear();
 
-    std::vector<std::vector<double>*> arrays();  // books too
-    std::vector<const std::vector<double>*> arrays() const;
+    std::vector<Array*> arrays();  // books too
+    std::vector<const Array*> arrays() const;
 };
 
 }  // namespace dem_min

@@ -51,6 +51,9 @@ struct Block {  // shape of each: [block_size]
     double jx[block_size], jy[block_size], jz[block_size];  // rad/s, spin of j
     double r_i[block_size], r_j[block_size];                // m; not filled where all are alike
     double inverse_inertia_i[block_size], inverse_inertia_j[block_size];  // 1/(kg m^2); likewise
+    // In between: what one stage leaves for the next.
+    double elastic_force[block_size], contact_radius[block_size], cap_force[block_size];  // N, m, N
+    double qx[block_size], qy[block_size], qz[block_size];  // N, friction on j
     // What comes out.
     double fx[block_size], fy[block_size], fz[block_size];     // N, on j
     double tix[block_size], tiy[block_size], tiz[block_size];  // N m

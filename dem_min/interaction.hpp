@@ -78,35 +78,36 @@ struct Motion {
     double lever_i, lever_j;  // m, from the centre to the contact, half of the overlap taken off
 };
 
-struct History {
-    Vec3 tangential_spring;  // m
-    Vec3 rolling_spring;     // rad or m
-    double twist;            // rad
-    double previous_radius;  // m
+// What the normal and the tangential law make of a contact.
+struct Push {
+    double normal_force;  // N, elastic and damping, > 0 in compression
+    double dashpot;       // N, the part of it that is damping
+    double cap_force;     // N, >= 0: what friction multiplies
+    Vec3 friction_on_j;   // N
+    Vec3 spring;          // m, tangential
+    double stored;        // J, tangential
 };
 
-struct Load {
-    Vec3 force_on_j;                // N
+// What the rolling and the twisting law make of it, friction's torques included.
+struct Turn {
     Vec3 torque_on_i, torque_on_j;  // N m
-    History history;
-    double dashpot;                            // N, the part of the normal force that is damping
-    double stored_tangential, stored_rolling;  // J
+    Vec3 spring;                    // rad or m, of rolling, as the law says
+    double twist;                   // rad
+    double stored;                  // J
 };
 
-template <class Normal, class Tangential, class Rolling, class Twisting>
-inline Load evaluate(const Interaction<Normal, Tangential, Rolling, Twisting>& law,
-                     const ContactConstants& c, const Motion& m, const History& h, double dt) {
-    const contact::NormalState elastic = law.normal.at(c.r_star, c.length_scale, m.overlap);
+template <class Interaction>
+inline Push push(const Interaction& law, const ContactConstants& c,
+                 const contact::NormalState& elastic, const Motion& m, Vec3 spring,
+                 double previous_radius, double dt) {
     const double a = elastic.contact_radius;
-    const double normal_damping = law.damping.normal(law.normal.e_star, a, c.m_star);
-    const double dashpot = normal_damping * m.approach_speed;
+    const double dashpot = law.damping.normal(law.normal.e_star, a, c.m_star) * m.approach_speed;
     const double repulsive = contact::repulsive_force(law.normal.e_star, c.r_star, a);
     const double cap = contact::cap_force(law.friction_cap, elastic.force, dashpot,
                                           law.normal.pull_off_force(c.r_star), repulsive);
-    const double extra_dashpot = law.damping.viscoelastic.tangential(a, c.m_star);
     const contact::TangentialState slip =
-        law.tangential.step({.spring = h.tangential_spring,
-                             .previous_radius = h.previous_radius,
+        law.tangential.step({.spring = spring,
+                             .previous_radius = previous_radius,
                              .contact_radius = a,
                              .n = m.n,
                              .slip_velocity = m.slip_velocity,
@@ -114,8 +115,15 @@ inline Load evaluate(const Interaction<Normal, Tangential, Rolling, Twisting>& l
                              .damping_factor = law.damping.tsuji.factor,
                              .m_star = c.m_star,
                              .dt = dt,
-                             .extra_dashpot = extra_dashpot});
-    const contact::RollingState roll = law.rolling.step({.spring = h.rolling_spring,
+                             .extra_dashpot = law.damping.viscoelastic.tangential(a, c.m_star)});
+    return {elastic.force + dashpot, dashpot, cap, slip.force_on_j, slip.spring, slip.stored};
+}
+
+template <class Interaction>
+inline Turn turn(const Interaction& law, const ContactConstants& c, double contact_radius,
+                 double cap_force, Vec3 friction_on_j, const Motion& m, Vec3 spring, double twist,
+                 double previous_radius, double dt) {
+    const contact::RollingState roll = law.rolling.step({.spring = spring,
                                                          .n = m.n,
                                                          .spin_i = m.spin_i,
                                                          .spin_j = m.spin_j,
@@ -125,28 +133,24 @@ inline Load evaluate(const Interaction<Normal, Tangential, Rolling, Twisting>& l
                                                          .inverse_inertia_i = c.inverse_inertia_i,
                                                          .inverse_inertia_j = c.inverse_inertia_j,
                                                          .e_star = law.normal.e_star,
-                                                         .previous_radius = h.previous_radius,
-                                                         .contact_radius = a,
-                                                         .cap_force = cap,
+                                                         .previous_radius = previous_radius,
+                                                         .contact_radius = contact_radius,
+                                                         .cap_force = cap_force,
                                                          .dt = dt});
-    const contact::TwistingState twist =
-        law.twisting.step({.angle = h.twist,
-                           .previous_radius = h.previous_radius,
-                           .contact_radius = a,
-                           .spin = contact::dot(m.spin_j - m.spin_i, m.n),
-                           .cap_force = cap,
-                           .damping_factor = law.damping.tsuji.factor,
-                           .m_star = c.m_star,
-                           .dt = dt,
-                           .extra_dashpot = extra_dashpot});
-    const Vec3 moment = contact::cross(m.n, slip.force_on_j), screw = twist.torque_on_j * m.n;
-    return {.force_on_j = (elastic.force + dashpot) * m.n + slip.force_on_j,
-            .torque_on_i = roll.torque_on_i - screw - m.lever_i * moment,
-            .torque_on_j = roll.torque_on_j + screw - m.lever_j * moment,
-            .history = {slip.spring, roll.spring, twist.angle, a},
-            .dashpot = dashpot,
-            .stored_tangential = slip.stored,
-            .stored_rolling = roll.stored + twist.stored};
+    const contact::TwistingState screwed = law.twisting.step(
+        {.angle = twist,
+         .previous_radius = previous_radius,
+         .contact_radius = contact_radius,
+         .spin = contact::dot(m.spin_j - m.spin_i, m.n),
+         .cap_force = cap_force,
+         .damping_factor = law.damping.tsuji.factor,
+         .m_star = c.m_star,
+         .dt = dt,
+         .extra_dashpot = law.damping.viscoelastic.tangential(contact_radius, c.m_star)});
+    const Vec3 moment = contact::cross(m.n, friction_on_j), screw = screwed.torque_on_j * m.n;
+    return {roll.torque_on_i - screw - m.lever_i * moment,
+            roll.torque_on_j + screw - m.lever_j * moment, roll.spring, screwed.angle,
+            roll.stored + screwed.stored};
 }
 
 }  // namespace dem_min

@@ -92,59 +92,39 @@ inline Resistance resistance(Vec3 force_on_j, Vec3 torque_on_i, Vec3 torque_on_j
     return {friction, torque_on_i + lever_i * moment, torque_on_j + lever_j * moment};
 }
 
-// Adds what became heat on the way from the last positions to these, at contact k, whose arrays still hold the last step.
+// Adds what became heat on the way from the last positions to these, at contact k, whose books still hold the last step.
 // Over that way each load acts for half a step with its old and for half a step with its new value: their mean times the way
 // is the work that the motion lost, exactly, and what springs do not keep of it is heat. The laws' own count of a step takes
 // the new value for the whole way, an error of first order in the step.
-inline void add_heat(const Slots& c, const BookSlots& b, int k, double r_i, double r_j,
-                     const Motion& m, const Load& load, double hold, double dt) {
+inline void add_heat(const BookSlots& books, const Block& b, int k, double overlap_before,
+                     const Motion& m, const Push& pushed, const Turn& turned, double dt) {
     if (m.overlap == handed_over) return;
-    const double lever_j_before = m.lever_j > 0.0 ? r_j - 0.5 * c.overlap[k] : 0.0;
+    const Vec3 force{b.fx[k], b.fy[k], b.fz[k]};
     const Resistance before = resistance(
-        {b.fx[k], b.fy[k], b.fz[k]}, {b.tix[k], b.tiy[k], b.tiz[k]}, {b.tjx[k], b.tjy[k], b.tjz[k]},
-        {b.nx[k], b.ny[k], b.nz[k]}, r_i - 0.5 * c.overlap[k], lever_j_before);
+        {books.fx[k], books.fy[k], books.fz[k]}, {books.tix[k], books.tiy[k], books.tiz[k]},
+        {books.tjx[k], books.tjy[k], books.tjz[k]}, {books.nx[k], books.ny[k], books.nz[k]},
+        b.r_i[k] - 0.5 * overlap_before, b.r_j[k] - 0.5 * overlap_before);
     const Resistance now =
-        resistance(load.force_on_j, load.torque_on_i, load.torque_on_j, m.n, m.lever_i, m.lever_j);
+        resistance(force, turned.torque_on_i, turned.torque_on_j, m.n, m.lever_i, m.lever_j);
     const double way = 0.5 * dt;
-    const double acts = hold >= 0.0 ? way : 0.0;  // a torn contact loads nobody any more
-    b.heat_normal[k] += (way * b.dashpot[k] + acts * load.dashpot) * m.approach_speed;
-    b.heat_tangential[k] +=
-        b.stored_tangential[k] - load.stored_tangential -
+    const double acts = b.hold[k] >= 0.0 ? way : 0.0;  // a torn contact loads nobody any more
+    books.heat_normal[k] += (way * books.dashpot[k] + acts * pushed.dashpot) * m.approach_speed;
+    books.heat_tangential[k] +=
+        books.stored_tangential[k] - pushed.stored -
         contact::dot(way * before.friction + acts * now.friction, m.slip_velocity);
-    b.heat_rolling[k] += b.stored_rolling[k] - load.stored_rolling -
-                         contact::dot(way * before.rolling_i + acts * now.rolling_i, m.spin_i) -
-                         contact::dot(way * before.rolling_j + acts * now.rolling_j, m.spin_j);
-    b.stored_tangential[k] = load.stored_tangential;
-    b.stored_rolling[k] = load.stored_rolling;
-    b.dashpot[k] = load.dashpot;
-    b.nx[k] = m.n.x, b.ny[k] = m.n.y, b.nz[k] = m.n.z;
-    b.fx[k] = load.force_on_j.x, b.fy[k] = load.force_on_j.y, b.fz[k] = load.force_on_j.z;
-    b.tix[k] = load.torque_on_i.x, b.tiy[k] = load.torque_on_i.y, b.tiz[k] = load.torque_on_i.z;
-    b.tjx[k] = load.torque_on_j.x, b.tjy[k] = load.torque_on_j.y, b.tjz[k] = load.torque_on_j.z;
+    books.heat_rolling[k] += books.stored_rolling[k] - turned.stored -
+                             contact::dot(way * before.rolling_i + acts * now.rolling_i, m.spin_i) -
+                             contact::dot(way * before.rolling_j + acts * now.rolling_j, m.spin_j);
+    books.stored_tangential[k] = pushed.stored;
+    books.stored_rolling[k] = turned.stored;
+    books.dashpot[k] = pushed.dashpot;
+    books.nx[k] = m.n.x, books.ny[k] = m.n.y, books.nz[k] = m.n.z;
+    books.fx[k] = force.x, books.fy[k] = force.y, books.fz[k] = force.z;
+    books.tix[k] = b.tix[k], books.tiy[k] = b.tiy[k], books.tiz[k] = b.tiz[k];
+    books.tjx[k] = b.tjx[k], books.tjy[k] = b.tjy[k], books.tjz[k] = b.tjz[k];
 }
 
-template <class Interaction>
-inline Load load_one(const Interaction& law, const Slots& c, Block& b, int k, const Motion& m,
-                     const ContactConstants& constants, double dt) {
-    const History history{
-        {c.sx[k], c.sy[k], c.sz[k]}, {c.rx[k], c.ry[k], c.rz[k]}, c.twist[k], c.previous_radius[k]};
-    const Load load = evaluate(law, constants, m, history, dt);
-    c.sx[k] = load.history.tangential_spring.x;
-    c.sy[k] = load.history.tangential_spring.y;
-    c.sz[k] = load.history.tangential_spring.z;
-    c.rx[k] = load.history.rolling_spring.x;
-    c.ry[k] = load.history.rolling_spring.y;
-    c.rz[k] = load.history.rolling_spring.z;
-    c.twist[k] = load.history.twist;
-    c.previous_radius[k] = load.history.previous_radius;
-    b.fx[k] = load.force_on_j.x, b.fy[k] = load.force_on_j.y, b.fz[k] = load.force_on_j.z;
-    b.tix[k] = load.torque_on_i.x, b.tiy[k] = load.torque_on_i.y, b.tiz[k] = load.torque_on_i.z;
-    b.tjx[k] = load.torque_on_j.x, b.tjy[k] = load.torque_on_j.y, b.tjz[k] = load.torque_on_j.z;
-    b.hold[k] = m.overlap - law.normal.tear_off_overlap(constants.r_star, constants.length_scale);
-    return load;
-}
-
-// Those of all contacts where they are alike, or else the contact's own.
+// The constants of all contacts where they are alike, or else the contact's own.
 template <bool alike>
 inline ContactConstants constants_of(const Slots& c, const Block& b, int k,
                                      const ContactConstants& common) {
@@ -166,16 +146,64 @@ inline ContactConstants constants_of(const Slots& c, const Block& b, int k,
             b.inverse_inertia_j[k]};
 }
 
+// The three stages of a contact's load, one loop each. Their roots and quotients wait for one another, and a processor has room
+// for many turns of a short loop at a time, but not of a long one.
+template <bool alike, class Interaction>
+inline void press_one(const Interaction& law, const Slots& c, Block& b, int k,
+                      const ContactConstants& common) {
+    const ContactConstants constants = constants_of<alike>(c, b, k, common);
+    const double r_star = constants.r_star, length_scale = constants.length_scale;
+    const double overlap = (constants.r_i + constants.r_j) - b.distance[k];
+    const contact::NormalState elastic = law.normal.at(r_star, length_scale, overlap);
+    b.elastic_force[k] = elastic.force;
+    b.contact_radius[k] = elastic.contact_radius;
+    b.hold[k] = overlap - law.normal.tear_off_overlap(r_star, length_scale);
+    c.overlap[k] = overlap;
+}
+
+template <bool alike, class Interaction>
+inline Push push_one(const Interaction& law, const Slots& c, Block& b, int k,
+                     const ContactConstants& common, double dt) {
+    const ContactConstants constants = constants_of<alike>(c, b, k, common);
+    const Motion m = motion(b, k, constants.r_i, constants.r_j);
+    const Push pushed = push(law, constants, {b.elastic_force[k], b.contact_radius[k]}, m,
+                             {c.sx[k], c.sy[k], c.sz[k]}, c.previous_radius[k], dt);
+    const Vec3 force = pushed.normal_force * m.n + pushed.friction_on_j;
+    b.fx[k] = force.x, b.fy[k] = force.y, b.fz[k] = force.z;
+    b.qx[k] = pushed.friction_on_j.x, b.qy[k] = pushed.friction_on_j.y;
+    b.qz[k] = pushed.friction_on_j.z;
+    b.cap_force[k] = pushed.cap_force;
+    c.sx[k] = pushed.spring.x, c.sy[k] = pushed.spring.y, c.sz[k] = pushed.spring.z;
+    return pushed;
+}
+
+template <bool alike, class Interaction>
+inline Turn turn_one(const Interaction& law, const Slots& c, Block& b, int k,
+                     const ContactConstants& common, double dt) {
+    const ContactConstants constants = constants_of<alike>(c, b, k, common);
+    const Motion m = motion(b, k, constants.r_i, constants.r_j);
+    const Turn turned =
+        turn(law, constants, b.contact_radius[k], b.cap_force[k], {b.qx[k], b.qy[k], b.qz[k]}, m,
+             {c.rx[k], c.ry[k], c.rz[k]}, c.twist[k], c.previous_radius[k], dt);
+    b.tix[k] = turned.torque_on_i.x, b.tiy[k] = turned.torque_on_i.y;
+    b.tiz[k] = turned.torque_on_i.z;
+    b.tjx[k] = turned.torque_on_j.x, b.tjy[k] = turned.torque_on_j.y;
+    b.tjz[k] = turned.torque_on_j.z;
+    c.rx[k] = turned.spring.x, c.ry[k] = turned.spring.y, c.rz[k] = turned.spring.z;
+    c.twist[k] = turned.twist;
+    c.previous_radius[k] = b.contact_radius[k];
+    return turned;
+}
+
 template <bool alike, class Interaction>
 SIMILITUDE_VECTOR_CLONES void load_fast(const Interaction law, const Slots c, Block& b, int size,
                                         const ContactConstants common, double dt) {
     SIMILITUDE_NO_DEPENDENCE
-    for (int k = 0; k < size; ++k) {
-        const ContactConstants constants = constants_of<alike>(c, b, k, common);
-        const Motion m = motion(b, k, constants.r_i, constants.r_j);
-        load_one(law, c, b, k, m, constants, dt);
-        c.overlap[k] = m.overlap;
-    }
+    for (int k = 0; k < size; ++k) press_one<alike>(law, c, b, k, common);
+    SIMILITUDE_NO_DEPENDENCE
+    for (int k = 0; k < size; ++k) push_one<alike>(law, c, b, k, common, dt);
+    SIMILITUDE_NO_DEPENDENCE
+    for (int k = 0; k < size; ++k) turn_one<alike>(law, c, b, k, common, dt);
 }
 
 // With the ledger: the same loads, and the books. Not made for speed.
@@ -183,11 +211,11 @@ template <class Interaction>
 void load_and_book(const Interaction law, const Slots c, const BookSlots books, Block& b, int size,
                    double dt) {
     for (int k = 0; k < size; ++k) {
-        const ContactConstants constants = constants_of<false>(c, b, k, {});
-        const Motion m = motion(b, k, constants.r_i, constants.r_j);
-        const Load load = load_one(law, c, b, k, m, constants, dt);
-        add_heat(c, books, k, constants.r_i, constants.r_j, m, load, b.hold[k], dt);
-        c.overlap[k] = m.overlap;
+        const double overlap_before = c.overlap[k];
+        press_one<false>(law, c, b, k, {});
+        const Push pushed = push_one<false>(law, c, b, k, {}, dt);
+        const Turn turned = turn_one<false>(law, c, b, k, {}, dt);
+        add_heat(books, b, k, overlap_before, motion(b, k, b.r_i[k], b.r_j[k]), pushed, turned, dt);
     }
 }
 

@@ -60,6 +60,16 @@ inline void drift_one(const Arrays& p, int k, double dt, double lowest, Vec3 fra
     all.vx[lane] += vx, all.vy[lane] += vy, all.vz[lane] += vz;
 }
 
+// More arrays side by side than the processor follows by itself.
+constexpr int ahead = 6;  // cache lines
+inline void prefetch(const Arrays& p, int k) {
+    for (const double* array :
+         {p.x, p.y, p.z, p.vx, p.vy, p.vz, p.wx, p.wy, p.wz, p.fx, p.fy, p.fz, p.tx, p.ty, p.tz})
+        __builtin_prefetch(array + k, 1);
+    for (const double* array : {p.mass, p.inverse_mass, p.inverse_inertia})
+        __builtin_prefetch(array + k, 0);
+}
+
 // `finish`: the second half of the last step comes first.
 template <bool finish>
 inline Drift walk(const Arrays& p, int n, const Settings& settings, Vec3 frame) {
@@ -73,6 +83,7 @@ inline Drift walk(const Arrays& p, int n, const Settings& settings, Vec3 frame) 
     };
     int k = 0;
     for (; k + lanes <= n; k += lanes) {
+        prefetch(p, k + ahead * lanes);
         SIMILITUDE_NO_DEPENDENCE
         for (int lane = 0; lane < lanes; ++lane) one(k + lane, lane);
     }

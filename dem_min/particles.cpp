@@ -6,7 +6,7 @@
 
 namespace dem_min {
 
-std::array<std::vector<double>*, 19> Particles::arrays() {
+std::array<Array*, 19> Particles::arrays() {
     return {&x,
             &y,
             &z,
@@ -29,7 +29,7 @@ std::array<std::vector<double>*, 19> Particles::arrays() {
 }
 
 void Particles::add(const Grain& grain, std::int64_t new_id) {
-    for (std::vector<double>* array : arrays()) array->push_back(0.0);
+    for (Array* array : arrays()) array->push_back(0.0);
     const std::size_t k = count() - 1;
     const double r = grain.radius;
     x[k] = grain.position.x, y[k] = grain.position.y, z[k] = grain.position.z;
@@ -46,9 +46,10 @@ void Particles::add(const Grain& grain, std::int64_t new_id) {
 
 namespace {
 
-template <class T>
-void renumber_array(std::vector<T>& array, const std::vector<int>& new_index, std::size_t kept) {
-    std::vector<T> moved(kept);
+template <class T, class Allocator>
+void renumber_array(std::vector<T, Allocator>& array, const std::vector<int>& new_index,
+                    std::size_t kept) {
+    std::vector<T, Allocator> moved(kept);
     for (std::size_t k = 0; k < array.size(); ++k)
         if (new_index[k] >= 0) moved[static_cast<std::size_t>(new_index[k])] = array[k];
     array = std::move(moved);
@@ -59,7 +60,7 @@ void renumber_array(std::vector<T>& array, const std::vector<int>& new_index, st
 void Particles::renumber(const std::vector<int>& new_index) {
     std::size_t kept = 0;
     for (const int index : new_index) kept += index >= 0;
-    for (std::vector<double>* array : arrays()) renumber_array(*array, new_index, kept);
+    for (Array* array : arrays()) renumber_array(*array, new_index, kept);
     renumber_array(id, new_index, kept);
     renumber_array(material, new_index, kept);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact/vec3.hpp"
+#include "dem_min/array.hpp"
 
 #include <array>
 #include <cstddef>
@@ -24,14 +25,14 @@ struct Grain {
 };
 
 struct Particles {
-    std::vector<double> x, y, z;     // m
-    std::vector<double> vx, vy, vz;  // m/s; half a step behind x while forces are evaluated
-    std::vector<double> wx, wy, wz;  // rad/s, likewise
-    std::vector<double> fx, fy, fz;  // N
-    std::vector<double> tx, ty, tz;  // N m
-    std::vector<double> radius, mass;
-    std::vector<double> inverse_mass, inverse_inertia;  // 0 for a fixed grain
-    std::vector<std::int64_t> id;                       // order of birth, from 0; never reused
+    Array x, y, z;     // m
+    Array vx, vy, vz;  // m/s; half a step behind x while forces are evaluated
+    Array wx, wy, wz;  // rad/s, likewise
+    Array fx, fy, fz;  // N
+    Array tx, ty, tz;  // N m
+    Array radius, mass;
+    Array inverse_mass, inverse_inertia;  // 0 for a fixed grain
+    std::vector<std::int64_t> id;         // order of birth, from 0; never reused
     std::vector<int> material;
 
     std::size_t count() const { return x.size(); }
@@ -46,7 +47,7 @@ struct Particles {
     Vec3 spin(std::size_t k) const { return {wx[k], wy[k], wz[k]}; }
 
     // Every array of doubles, in one order, for compaction, checkpoints and hashes.
-    std::array<std::vector<double>*, 19> arrays();
+    std::array<Array*, 19> arrays();
 };
 
 }  // namespace dem_min

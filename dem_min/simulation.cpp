@@ -26,8 +26,8 @@ class Hash {
     std::uint64_t state_ = 14695981039346656037ULL;
 };
 
-template <class T>
-std::size_t bytes(const std::vector<T>& array) {
+template <class T, class Allocator>
+std::size_t bytes(const std::vector<T, Allocator>& array) {
     return array.size() * sizeof(T);
 }
 
@@ -128,11 +128,11 @@ double largest_overlap(const Simulation& s) {
 MemoryUse memory_use(const Simulation& s) {
     MemoryUse use{};
     Particles grains = s.grains;
-    for (const std::vector<double>* array : grains.arrays()) use.bytes_grains += bytes(*array);
+    for (const Array* array : grains.arrays()) use.bytes_grains += bytes(*array);
     use.bytes_grains += bytes(s.grains.id) + bytes(s.grains.material);
     for (const Tile& tile : s.tiles) {
         for (const Contacts& c : tile.groups) {
-            for (const std::vector<double>* array : c.arrays()) use.bytes_contacts += bytes(*array);
+            for (const Array* array : c.arrays()) use.bytes_contacts += bytes(*array);
             use.bytes_contacts += bytes(c.i) + bytes(c.j);
         }
         for (const Candidates* near : {&tile.near_grains, &tile.near_walls})
@@ -144,7 +144,7 @@ MemoryUse memory_use(const Simulation& s) {
 
 std::uint64_t state_hash(const Simulation& s, double unit_of_length, double unit_of_time) {
     Hash hash;
-    const auto add = [&](const std::vector<double>& values, double unit) {
+    const auto add = [&](const Array& values, double unit) {
         for (const double value : values) hash.add(value / unit);
     };
     const Particles& p = s.grains;

@@ -55,6 +55,8 @@ struct Simulation {
     std::vector<int> wall_material;  // [walls], or empty: all 0
     Particles grains;
     std::vector<Tile> tiles;
+    std::vector<int>
+        shares;  // [team + 1] tiles at which the share of each thread begins; made with the list
     bool list_is_stale = true;  // grains were added, taken out or moved by hand
     // m/s, of the frame in which the tiles count their ways: grains that move together do not come closer. Any would do.
     Vec3 frame;

@@ -8,12 +8,21 @@
 namespace dem_min {
 namespace {
 
-// Calls each(t) for every tile; which thread takes which does not matter.
+// Calls each(t) for every tile. A thread always has the same tiles, whose data stay in its cache: given to whoever comes first,
+// two threads were no faster than one.
 template <class Each>
 void for_each_tile(Simulation& s, Each&& each) {
-    const int tiles = static_cast<int>(s.tiles.size()), team = s.team();
-#pragma omp parallel for schedule(dynamic) num_threads(team) if (team > 1)
-    for (int t = 0; t < tiles; ++t) each(static_cast<std::size_t>(t));
+    const int team = s.team();
+    if (team == 1 || static_cast<int>(s.shares.size()) != team + 1 ||
+        s.shares.back() != static_cast<int>(s.tiles.size())) {
+        for (std::size_t t = 0; t < s.tiles.size(); ++t) each(t);
+        return;
+    }
+#pragma omp parallel for schedule(static, 1) num_threads(team)
+    for (int share = 0; share < team; ++share)
+        for (int t = s.shares[static_cast<std::size_t>(share)];
+             t < s.shares[static_cast<std::size_t>(share) + 1]; ++t)
+            each(static_cast<std::size_t>(t));
 }
 
 // Adds the loads of a block to its grains. A contact that has torn loads nobody; its slot goes to `torn`.
@@ -63,7 +72,7 @@ void end_contacts(Simulation& s, std::size_t t, std::size_t group, std::vector<s
 
 void clear_loads(Simulation& s, std::size_t t) {
     Particles& p = s.grains;
-    for (std::vector<double>* array : {&p.fx, &p.fy, &p.fz, &p.tx, &p.ty, &p.tz})
+    for (Array* array : {&p.fx, &p.fy, &p.fz, &p.tx, &p.ty, &p.tz})
         std::fill_n(array->begin() + static_cast<std::ptrdiff_t>(first_of(t)), grains_of(s, t),
                     0.0);
 }

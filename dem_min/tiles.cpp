@@ -35,6 +35,19 @@ std::vector<std::uint64_t> morton_codes(const Particles& p) {
     return codes;
 }
 
+// The contacts of a group in the order of their grains: what a loop needs next lies next to what it has just had.
+void sort_by_grain(Contacts& contacts) {
+    std::vector<std::size_t> order(contacts.count());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return std::pair{contacts.i[a], contacts.j[a]} < std::pair{contacts.i[b], contacts.j[b]};
+    });
+    Contacts sorted;
+    for (const std::size_t slot : order)
+        sorted.add_copy(contacts, slot, contacts.i[slot], contacts.j[slot]);
+    contacts = std::move(sorted);
+}
+
 }  // namespace
 
 void Candidates::add(int grain_i, int partner_j, double when) {
@@ -95,6 +108,8 @@ void reorder(Simulation& s) {
     for (std::size_t k = 0; k < n; ++k)
         new_index[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
     renumber(s, new_index);
+    for (Tile& tile : s.tiles)
+        for (Contacts& group : tile.groups) sort_by_grain(group);
 }
 
 }  // namespace dem_min

@@ -25,8 +25,8 @@ inline int tile_of(int grain) { return grain / tile_size; }
 // Pairs that do not touch but may soon. `due` is a sum of ways: as long as the two tiles together have come less far since
 // the list was made, the pair cannot touch, and nobody looks.
 struct Candidates {
-    std::vector<int> i, j;    // i < j; at a wall j is the wall
-    std::vector<double> due;  // m
+    std::vector<int> i, j;  // i < j; at a wall j is the wall
+    Array due;              // m
     std::size_t count() const { return i.size(); }
     void add(int grain_i, int partner_j, double when);
     void remove(std::size_t index);  // the last one takes the place
@@ -80,9 +80,10 @@ void fit_tiles(Simulation&);
 // grain i. Shape: [grains]. The order of slots follows that of the old tiles.
 void renumber(Simulation&, const std::vector<int>& new_index);
 
-// Grains that are near in space become near in memory: they are sorted along a curve that fills it (Morton order of cells).
+// Grains that are near in space become near in memory: they are sorted along a curve that fills it (Morton order of cells),
+// and contacts by their grains. Does nothing where all grains fit one tile.
 void reorder(Simulation&);
 
-constexpr std::int64_t reorder_interval = 4096;  // steps
+constexpr std::int64_t reorder_interval = 1024;  // steps
 
 }  // namespace dem_min
