@@ -22,20 +22,24 @@ Arrays arrays(Particles& p, std::size_t k) {
             &p.tx[k], &p.ty[k], &p.tz[k], &p.mass[k], &p.inverse_mass[k], &p.inverse_inertia[k]};
 }
 
-// One grain's half kick.
-inline void kick_one(const Arrays& p, int k, double half) {
-    const double a = half * p.inverse_mass[k], b = half * p.inverse_inertia[k];
-    p.vx[k] += a * p.fx[k], p.vy[k] += a * p.fy[k], p.vz[k] += a * p.fz[k];
-    p.wx[k] += b * p.tx[k], p.wy[k] += b * p.ty[k], p.wz[k] += b * p.tz[k];
+inline Vec3 weighed(const Arrays& p, int k, Vec3 g) {
+    return {p.fx[k] + p.mass[k] * g.x, p.fy[k] + p.mass[k] * g.y, p.fz[k] + p.mass[k] * g.z};
 }
 
-inline void weigh_one(const Arrays& p, int k, Vec3 g) {
-    p.fx[k] += p.mass[k] * g.x, p.fy[k] += p.mass[k] * g.y, p.fz[k] += p.mass[k] * g.z;
+// One grain's half kick by the force f and its torque.
+inline void kick_one(const Arrays& p, int k, Vec3 f, double half) {
+    const double a = half * p.inverse_mass[k], b = half * p.inverse_inertia[k];
+    p.vx[k] += a * f.x, p.vy[k] += a * f.y, p.vz[k] += a * f.z;
+    p.wx[k] += b * p.tx[k], p.wy[k] += b * p.ty[k], p.wz[k] += b * p.tz[k];
 }
 
 SIMILITUDE_VECTOR_CLONES void weigh_and_kick(const Arrays p, int n, Vec3 g, double half) {
     SIMILITUDE_NO_DEPENDENCE
-    for (int k = 0; k < n; ++k) weigh_one(p, k, g), kick_one(p, k, half);
+    for (int k = 0; k < n; ++k) {
+        const Vec3 f = weighed(p, k, g);
+        p.fx[k] = f.x, p.fy[k] = f.y, p.fz[k] = f.z;
+        kick_one(p, k, f, half);
+    }
 }
 
 // A vector's worth of grains at a time, so that sums and extremes are kept lane by lane.
@@ -77,8 +81,12 @@ inline Drift walk(const Arrays& p, int n, const Settings& settings, Vec3 frame) 
     const double dt = settings.time_step, half = 0.5 * dt, lowest = settings.lost_below;
     const Vec3 g = settings.gravity;
     const auto one = [&](int k, int lane) {
-        if constexpr (finish) weigh_one(p, k, g), kick_one(p, k, half);
-        kick_one(p, k, half);
+        Vec3 f{p.fx[k], p.fy[k], p.fz[k]};
+        if constexpr (finish) {  // the force itself is not needed again
+            f = weighed(p, k, g);
+            kick_one(p, k, f, half);
+        }
+        kick_one(p, k, f, half);
         drift_one(p, k, dt, lowest, frame, all, lane);
     };
     int k = 0;

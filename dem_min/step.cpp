@@ -8,21 +8,19 @@
 namespace dem_min {
 namespace {
 
-// Calls each(t) for every tile. A thread always has the same tiles, whose data stay in its cache: given to whoever comes first,
-// two threads were no faster than one.
+// Calls each(first, last) for the tiles of each thread. A thread always has the same tiles, whose data stay in its cache: given to
+// whoever comes first, two threads were no faster than one.
 template <class Each>
-void for_each_tile(Simulation& s, Each&& each) {
-    const int team = s.team();
-    if (team == 1 || static_cast<int>(s.shares.size()) != team + 1 ||
-        s.shares.back() != static_cast<int>(s.tiles.size())) {
-        for (std::size_t t = 0; t < s.tiles.size(); ++t) each(t);
+void for_each_share(Simulation& s, Each&& each) {
+    const int team = s.team(), tiles = static_cast<int>(s.tiles.size());
+    if (team == 1 || static_cast<int>(s.shares.size()) != team + 1 || s.shares.back() != tiles) {
+        each(std::size_t{0}, s.tiles.size());
         return;
     }
 #pragma omp parallel for schedule(static, 1) num_threads(team)
     for (int share = 0; share < team; ++share)
-        for (int t = s.shares[static_cast<std::size_t>(share)];
-             t < s.shares[static_cast<std::size_t>(share) + 1]; ++t)
-            each(static_cast<std::size_t>(t));
+        each(static_cast<std::size_t>(s.shares[static_cast<std::size_t>(share)]),
+             static_cast<std::size_t>(s.shares[static_cast<std::size_t>(share) + 1]));
 }
 
 // Adds the loads of a block to its grains. A contact that has torn loads nobody; its slot goes to `torn`.
@@ -146,6 +144,38 @@ void look_after(Simulation& s) {
     if (outdated(s)) find_neighbours(s);
 }
 
+// The second half of a step for tile t, and the first of the next one if there is one.
+void finish_tile(Simulation& s, std::size_t t, bool goes_on) {
+    renew_inbox(s, t);
+    if (goes_on)
+        note(s, s.tiles[t], end_and_begin_step(s, t));
+    else
+        end_step(s, t);
+    s.tiles[t].finished = true;
+}
+
+// True if tile t may be finished when [first, loaded) have been loaded, by the thread that has the tiles from `first` on: all that
+// look at its grains or load them are among those.
+bool ready(const Simulation& s, std::size_t t, std::size_t first, std::size_t loaded) {
+    const std::vector<int>& partners = s.tiles[t].partners;
+    return partners.empty() || (static_cast<std::size_t>(partners.front()) >= first &&
+                                static_cast<std::size_t>(partners.back()) < loaded);
+}
+
+// Loads of the tiles [first, last), each of which is finished as soon as it may be, while its grains are still in the cache.
+void load_share(Simulation& s, std::size_t first, std::size_t last, bool goes_on) {
+    std::size_t next = first;
+    for (std::size_t t = first; t < last; ++t) {
+        load_tile(s, t);
+        s.tiles[t].finished = false;
+        for (; next <= t && ready(s, next, first, t + 1); ++next) finish_tile(s, next, goes_on);
+        while (next <= t && !s.tiles[next].partners.empty() &&
+               (static_cast<std::size_t>(s.tiles[next].partners.front()) < first ||
+                static_cast<std::size_t>(s.tiles[next].partners.back()) >= last))
+            ++next;  // another thread's tiles must be loaded first
+    }
+}
+
 }  // namespace
 
 void advance(Simulation& s, std::int64_t steps) {
@@ -154,18 +184,19 @@ void advance(Simulation& s, std::int64_t steps) {
     for (std::int64_t done = 0; done < steps; ++done) {
         if (time_to_reorder(s)) reorder(s);
         fit_tiles(s);
-        if (!begun) for_each_tile(s, [&](std::size_t t) { note(s, s.tiles[t], begin_step(s, t)); });
+        if (!begun)
+            for_each_share(s, [&](std::size_t first, std::size_t last) {
+                for (std::size_t t = first; t < last; ++t) note(s, s.tiles[t], begin_step(s, t));
+            });
         look_after(s);
-        for_each_tile(s, [&](std::size_t t) { load_tile(s, t); });
-        hand_over(s);
         ++s.steps;
         begun = done + 1 < steps && !time_to_reorder(s);
-        for_each_tile(s, [&](std::size_t t) {
-            renew_inbox(s, t);
-            if (begun)
-                note(s, s.tiles[t], end_and_begin_step(s, t));
-            else
-                end_step(s, t);
+        for_each_share(
+            s, [&](std::size_t first, std::size_t last) { load_share(s, first, last, begun); });
+        hand_over(s);
+        for_each_share(s, [&](std::size_t first, std::size_t last) {
+            for (std::size_t t = first; t < last; ++t)
+                if (!s.tiles[t].finished) finish_tile(s, t, begun);
         });
     }
 }

@@ -4,34 +4,36 @@
 #include "dem_min/simulation.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 
 namespace dem_min {
 namespace {
 
-// The lower 21 bits of x, with two zeros after each.
-std::uint64_t spread(std::uint64_t x) {
-    x &= 0x1fffff;
-    x = (x | x << 32) & 0x1f00000000ffff;
-    x = (x | x << 16) & 0x1f0000ff0000ff;
-    x = (x | x << 8) & 0x100f00f00f00f00f;
-    x = (x | x << 4) & 0x10c30c30c30c30c3;
-    return (x | x << 2) & 0x1249249249249249;
-}
-
-std::vector<std::uint64_t> morton_codes(const Particles& p) {
+// Where a grain stands in memory: layer by layer along the longest side of the heap, row by row in a layer. A tile then meets
+// few others, all of them near it in memory, and its grains are still in the cache when the last of these has been loaded.
+std::vector<std::uint64_t> places(const Particles& p) {
     const double width = 2.0 * *std::max_element(p.radius.begin(), p.radius.end());
-    const double x0 = *std::min_element(p.x.begin(), p.x.end());
-    const double y0 = *std::min_element(p.y.begin(), p.y.end());
-    const double z0 = *std::min_element(p.z.begin(), p.z.end());
-    const auto cell = [width](double x) {
-        return static_cast<std::uint64_t>(std::min(x / width, 2097151.0));
+    struct Side {
+        const Array* x;
+        double low, length;
     };
-    std::vector<std::uint64_t> codes(p.count());
-    for (std::size_t k = 0; k < p.count(); ++k)
-        codes[k] = spread(cell(p.x[k] - x0)) | spread(cell(p.y[k] - y0)) << 1 |
-                   spread(cell(p.z[k] - z0)) << 2;
+    std::array<Side, 3> sides;
+    for (int axis = 0; axis < 3; ++axis) {
+        const Array& x = axis == 0 ? p.x : axis == 1 ? p.y : p.z;
+        const auto [low, high] = std::minmax_element(x.begin(), x.end());
+        sides[static_cast<std::size_t>(axis)] = {&x, *low, *high - *low};
+    }
+    std::stable_sort(sides.begin(), sides.end(),
+                     [](const Side& a, const Side& b) { return a.length > b.length; });
+    std::vector<std::uint64_t> codes(p.count(), 0);
+    for (const Side& side : sides)
+        for (std::size_t k = 0; k < p.count(); ++k) {
+            const double cell = std::min(((*side.x)[k] - side.low) / width, 2097151.0);  // 21 bits
+            codes[k] = codes[k] << 21 | static_cast<std::uint64_t>(cell);
+        }
     return codes;
 }
 
@@ -98,7 +100,7 @@ void renumber(Simulation& s, const std::vector<int>& new_index) {
 void reorder(Simulation& s) {
     const std::size_t n = s.grains.count();
     if (n <= tile_size) return;
-    const std::vector<std::uint64_t> codes = morton_codes(s.grains);
+    const std::vector<std::uint64_t> codes = places(s.grains);
     std::vector<int> order(n);
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) {

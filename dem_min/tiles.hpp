@@ -63,6 +63,7 @@ struct Tile {
     std::vector<std::pair<int, int>>
         handed_over;  // candidates of another tile: a contact turned round by `reorder` ended
     bool lost = false, bad = false;  // of the last drift: see Drift
+    bool finished = false;           // its grains have had the second half of this step
     Vec3 sum_of_velocities;          // m/s, likewise
 
     std::vector<Outgoing> outbox;
@@ -80,8 +81,8 @@ void fit_tiles(Simulation&);
 // grain i. Shape: [grains]. The order of slots follows that of the old tiles.
 void renumber(Simulation&, const std::vector<int>& new_index);
 
-// Grains that are near in space become near in memory: they are sorted along a curve that fills it (Morton order of cells),
-// and contacts by their grains. Does nothing where all grains fit one tile.
+// Grains that are near in space become near in memory, see `places` in tiles.cpp, and contacts are sorted by their grains. Does
+// nothing where all grains fit one tile.
 void reorder(Simulation&);
 
 constexpr std::int64_t reorder_interval = 1024;  // steps
