@@ -111,6 +111,10 @@ PileTask pile_task(const Case& c, const Experiment& e, const CommonOptions& o,
                   .progress = !o.quiet,
                   .dump = place.dump,
                   .checkpoint_every = place.checkpoint_every};
+    if (place.sleep) {
+        task.setup.sleep_speed = rigs::speed_of_rest(task.setup);
+        task.fingerprint = fingerprint_of("sleep", task.fingerprint);
+    }
     refuse_frames(place.dump, task.setup, place.yes);
     if (!place.yes) refuse_unaffordable(e, task.setup, threads);
     return task;

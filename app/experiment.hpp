@@ -32,6 +32,7 @@ struct RunPlace {
     bool yes;  // run whatever it costs
     DumpPlan dump{};
     double checkpoint_every = 300.0;  // s of wall time
+    bool sleep = false;               // quiet regions of a heap are left out
 };
 
 // Checks everything that can be wrong with the experiment now and returns what runs it later:

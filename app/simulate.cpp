@@ -31,7 +31,7 @@ struct SimulateOptions {
     CommonOptions common;
     std::string path, experiment, out = "out";
     std::string dump, dump_every, checkpoint_every = "5 min";
-    bool yes = false;
+    bool yes = false, sleep = false;
 };
 
 constexpr const char* examples = R"(Examples:
@@ -130,7 +130,7 @@ RunPlace place_of(const SimulateOptions& o) {
     if (!(wall > 0.0))
         throw InvalidInput(mistake("--checkpoint-every", cases::in_quotes(o.checkpoint_every),
                                    "must be > 0", "write a wall time, such as \"5 min\""));
-    return {o.out, o.yes, dump_plan(o.dump, o.dump_every), wall};
+    return {o.out, o.yes, dump_plan(o.dump, o.dump_every), wall, o.sleep};
 }
 
 void refuse_dump_without_pile(const std::vector<const Experiment*>& experiments,
@@ -198,6 +198,9 @@ Verb simulate_verb(CLI::App& app, const std::string& command) {
                      "wall time between two checkpoints, with its unit")
         ->type_name("TIME")
         ->capture_default_str();
+    verb->add_flag("--sleep", options->sleep,
+                   "leave out regions of a heap that are at rest until something comes: faster, and "
+                   "not quite the same heap");
     add_common(*verb, options->common);
     verb->footer(examples);
     return {verb, [options, command] { return run(*options, command); }};

@@ -63,6 +63,8 @@ void visit(Simulation& s, Visit&& each) {
     fit_tiles(s);  // none before the first step
     for (Tile& tile : s.tiles) {
         each(tile.ended);
+        each(tile.quiet_steps);
+        each(tile.asleep);
         for (Contacts& group : tile.groups) {
             each(group.i);
             each(group.j);

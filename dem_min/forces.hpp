@@ -80,6 +80,7 @@ int grains_of(const Simulation&, std::size_t tile);
 // First half of a step for the grains of a tile: half a kick and the drift.
 struct Drift {
     double fastest, fastest_in_frame;  // m/s, the latter against Simulation::frame
+    double fastest_spin;               // rad/s
     bool lost, bad;  // some grain is below `lost_below`; some velocity is infinite or no number
     Vec3 sum_of_velocities;  // m/s
 };

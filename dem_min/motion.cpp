@@ -45,7 +45,7 @@ SIMILITUDE_VECTOR_CLONES void weigh_and_kick(const Arrays p, int n, Vec3 g, doub
 // A vector's worth of grains at a time, so that sums and extremes are kept lane by lane.
 constexpr int lanes = 8;
 struct Lanes {
-    double fastest[lanes], fastest_in_frame[lanes], lost[lanes], bad[lanes];
+    double fastest[lanes], fastest_in_frame[lanes], fastest_spin[lanes], lost[lanes], bad[lanes];
     double vx[lanes], vy[lanes], vz[lanes];
 };
 
@@ -59,7 +59,9 @@ inline void drift_one(const Arrays& p, int k, double dt, double lowest, Vec3 fra
     all.fastest[lane] = v2 > all.fastest[lane] ? v2 : all.fastest[lane];
     all.fastest_in_frame[lane] = u2 > all.fastest_in_frame[lane] ? u2 : all.fastest_in_frame[lane];
     all.lost[lane] = z >= lowest ? all.lost[lane] : 1.0;
-    const double sum = v2 + (p.wx[k] + p.wy[k] + p.wz[k]);
+    const double w2 = p.wx[k] * p.wx[k] + p.wy[k] * p.wy[k] + p.wz[k] * p.wz[k];
+    all.fastest_spin[lane] = w2 > all.fastest_spin[lane] ? w2 : all.fastest_spin[lane];
+    const double sum = v2 + w2;
     all.bad[lane] = sum - sum == 0.0 ? all.bad[lane] : 1.0;  // neither infinite nor no number
     all.vx[lane] += vx, all.vy[lane] += vy, all.vz[lane] += vz;
 }
@@ -100,6 +102,7 @@ inline Drift walk(const Arrays& p, int n, const Settings& settings, Vec3 frame) 
     for (int lane = 0; lane < lanes; ++lane) {
         drift.fastest = std::max(drift.fastest, all.fastest[lane]);
         drift.fastest_in_frame = std::max(drift.fastest_in_frame, all.fastest_in_frame[lane]);
+        drift.fastest_spin = std::max(drift.fastest_spin, all.fastest_spin[lane]);
         drift.lost = drift.lost || all.lost[lane] > 0.0;
         drift.bad = drift.bad || all.bad[lane] > 0.0;
         drift.sum_of_velocities =
@@ -107,6 +110,7 @@ inline Drift walk(const Arrays& p, int n, const Settings& settings, Vec3 frame) 
     }
     drift.fastest = std::sqrt(drift.fastest);
     drift.fastest_in_frame = std::sqrt(drift.fastest_in_frame);
+    drift.fastest_spin = std::sqrt(drift.fastest_spin);
     return drift;
 }
 

@@ -27,6 +27,9 @@ struct Settings {
     bool ledger = false;           // keep the energy ledger
     // m, the box repeats itself with these periods in x and y; 0: open. Positions are not folded back.
     double period_x = 0.0, period_y = 0.0;
+    // Tiles whose grains have been slower than both for `steps_to_sleep`, and that meet none which is faster, are left out until
+    // one is; 0: never. It changes the result a little, and what goes on from a checkpoint may then differ in its last digits.
+    double sleep_speed = 0.0, sleep_spin = 0.0;  // m/s, rad/s
 };
 
 // Sums over everything that no longer exists: ended contacts and grains that have left.
@@ -37,6 +40,8 @@ struct Past {
     double carried_away = 0.0;   // J, kinetic and elastic, by grains that have left
     double potential_out = 0.0;  // J, in gravity, of grains when they left
     std::int64_t grains_lost = 0;
+    std::int64_t grain_steps = 0,
+                 grain_steps_slept = 0;  // all, and those left out by sleeping tiles
 };
 
 // Laws of one pair of materials, where they differ from those of all others.

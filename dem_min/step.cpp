@@ -127,7 +127,29 @@ void note(const Simulation& s, Tile& tile, const Drift& drift) {
     tile.way += drift.fastest_in_frame * s.settings.time_step + tile.rounding;
     tile.way_from_walls += drift.fastest * s.settings.time_step + tile.rounding;
     tile.lost = drift.lost, tile.bad = drift.bad;
+    tile.fastest = drift.fastest, tile.fastest_spin = drift.fastest_spin;
     tile.sum_of_velocities = drift.sum_of_velocities;
+}
+
+// Who sleeps in this step: tiles that have been quiet for long and have only quiet partners. The loads that they hold for others,
+// and others for them, stay as they were.
+void put_to_sleep(Simulation& s) {
+    const Settings& settings = s.settings;
+    if (settings.sleep_speed <= 0.0) return;
+    for (Tile& tile : s.tiles) {
+        if (tile.asleep) continue;
+        const bool quiet =
+            tile.fastest <= settings.sleep_speed && tile.fastest_spin <= settings.sleep_spin;
+        tile.quiet_steps = quiet ? tile.quiet_steps + 1 : 0;
+    }
+    for (std::size_t t = 0; t < s.tiles.size(); ++t) {
+        Tile& tile = s.tiles[t];
+        tile.asleep = tile.quiet_steps >= steps_to_sleep &&
+                      std::all_of(tile.partners.begin(), tile.partners.end(), [&](int partner) {
+                          return s.tiles[static_cast<std::size_t>(partner)].quiet_steps > 0;
+                      });
+        if (tile.asleep) s.past.grain_steps_slept += grains_of(s, t);
+    }
 }
 
 // Between the drift and the loads: grains leave, bad numbers are found, the list is renewed.
@@ -141,17 +163,20 @@ void look_after(Simulation& s) {
     if (bad) check_finite(s);
     s.frame = 1.0 / static_cast<double>(s.grains.count()) * sum;
     if (lost) remove_lost(s);
+    s.past.grain_steps += static_cast<std::int64_t>(s.grains.count());
     if (outdated(s)) find_neighbours(s);
+    put_to_sleep(s);
 }
 
 // The second half of a step for tile t, and the first of the next one if there is one.
 void finish_tile(Simulation& s, std::size_t t, bool goes_on) {
+    s.tiles[t].finished = true;
+    if (s.tiles[t].asleep) return;
     renew_inbox(s, t);
     if (goes_on)
         note(s, s.tiles[t], end_and_begin_step(s, t));
     else
         end_step(s, t);
-    s.tiles[t].finished = true;
 }
 
 // True if tile t may be finished when [first, loaded) have been loaded, by the thread that has the tiles from `first` on: all that
@@ -166,7 +191,7 @@ bool ready(const Simulation& s, std::size_t t, std::size_t first, std::size_t lo
 void load_share(Simulation& s, std::size_t first, std::size_t last, bool goes_on) {
     std::size_t next = first;
     for (std::size_t t = first; t < last; ++t) {
-        load_tile(s, t);
+        if (!s.tiles[t].asleep) load_tile(s, t);
         s.tiles[t].finished = false;
         for (; next <= t && ready(s, next, first, t + 1); ++next) finish_tile(s, next, goes_on);
         while (next <= t && !s.tiles[next].partners.empty() &&
@@ -186,7 +211,8 @@ void advance(Simulation& s, std::int64_t steps) {
         fit_tiles(s);
         if (!begun)
             for_each_share(s, [&](std::size_t first, std::size_t last) {
-                for (std::size_t t = first; t < last; ++t) note(s, s.tiles[t], begin_step(s, t));
+                for (std::size_t t = first; t < last; ++t)
+                    if (!s.tiles[t].asleep) note(s, s.tiles[t], begin_step(s, t));
             });
         look_after(s);
         ++s.steps;

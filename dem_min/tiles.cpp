@@ -14,7 +14,8 @@ namespace {
 
 // Where a grain stands in memory: layer by layer along the longest side of the heap, row by row in a layer. A tile then meets
 // few others, all of them near it in memory, and its grains are still in the cache when the last of these has been loaded.
-std::vector<std::uint64_t> places(const Particles& p) {
+// Where quiet tiles sleep, layers lie one above the other: a heap is quiet below and flows on top.
+std::vector<std::uint64_t> places(const Particles& p, bool from_below) {
     const double width = 2.0 * *std::max_element(p.radius.begin(), p.radius.end());
     struct Side {
         const Array* x;
@@ -26,7 +27,8 @@ std::vector<std::uint64_t> places(const Particles& p) {
         const auto [low, high] = std::minmax_element(x.begin(), x.end());
         sides[static_cast<std::size_t>(axis)] = {&x, *low, *high - *low};
     }
-    std::stable_sort(sides.begin(), sides.end(),
+    if (from_below) std::swap(sides[0], sides[2]);
+    std::stable_sort(sides.begin() + (from_below ? 1 : 0), sides.end(),
                      [](const Side& a, const Side& b) { return a.length > b.length; });
     std::vector<std::uint64_t> codes(p.count(), 0);
     for (const Side& side : sides)
@@ -81,6 +83,9 @@ void renumber(Simulation& s, const std::vector<int>& new_index) {
     std::vector<Tile> old = std::move(s.tiles);
     s.tiles.clear();
     fit_tiles(s);
+    // A tile that was quiet is looked at once more, with the grains that it has now, and may sleep again.
+    for (std::size_t t = 0; t < s.tiles.size() && t < old.size(); ++t)
+        s.tiles[t].quiet_steps = std::min(old[t].quiet_steps, steps_to_sleep - 1);
     for (const Tile& tile : old) {
         s.past.heat += tile.ended;
         for (std::size_t g = 0; g < tile.groups.size(); ++g) {
@@ -100,7 +105,7 @@ void renumber(Simulation& s, const std::vector<int>& new_index) {
 void reorder(Simulation& s) {
     const std::size_t n = s.grains.count();
     if (n <= tile_size) return;
-    const std::vector<std::uint64_t> codes = places(s.grains);
+    const std::vector<std::uint64_t> codes = places(s.grains, s.settings.sleep_speed > 0.0);
     std::vector<int> order(n);
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) {

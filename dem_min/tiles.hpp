@@ -62,9 +62,12 @@ struct Tile {
 
     std::vector<std::pair<int, int>>
         handed_over;  // candidates of another tile: a contact turned round by `reorder` ended
-    bool lost = false, bad = false;  // of the last drift: see Drift
-    bool finished = false;           // its grains have had the second half of this step
-    Vec3 sum_of_velocities;          // m/s, likewise
+    bool lost = false, bad = false;            // of the last drift: see Drift
+    bool finished = false;                     // its grains have had the second half of this step
+    Vec3 sum_of_velocities;                    // m/s, likewise
+    double fastest = 0.0, fastest_spin = 0.0;  // m/s, rad/s, likewise
+    int quiet_steps = 0;                       // in a row, see Settings::sleep_speed
+    bool asleep = false;
 
     std::vector<Outgoing> outbox;
     std::vector<Incoming> inbox;
@@ -84,6 +87,8 @@ void renumber(Simulation&, const std::vector<int>& new_index);
 // Grains that are near in space become near in memory, see `places` in tiles.cpp, and contacts are sorted by their grains. Does
 // nothing where all grains fit one tile.
 void reorder(Simulation&);
+
+constexpr int steps_to_sleep = 64;  // a grain that turns back is slow for a few steps only
 
 constexpr std::int64_t reorder_interval = 1024;  // steps
 

@@ -155,6 +155,7 @@ Json to_json(const rigs::PileRecord& r) {
     json["coordination"] = finite(r.coordination);
     json["grains_fed"] = r.grains_fed;
     json["grains_lost"] = r.grains_lost;
+    json["slept"] = r.slept;
     json["steps"] = r.steps;
     json["time_step"] = finite(r.time_step);
     json["base_radius"] = finite(r.base_radius);

@@ -138,6 +138,11 @@ RunSection pile_section(const std::string& name, const rigs::PileRecord& record)
         record.packing_fraction ? number(*record.packing_fraction)
                                 : std::string("not to be had (too small a heap)"),
         number(record.coordination), count(static_cast<double>(record.steps))));
+    if (record.slept > 0.0)
+        section.notes.push_back(fmt::format(
+            "sleep left out {} % of all grain-steps; without --sleep the heap is another draw from "
+            "the same chance",
+            number(100.0 * record.slept)));
     section.notes.insert(section.notes.end(), record.notes.begin(), record.notes.end());
     return section;
 }

@@ -51,11 +51,11 @@ double heap_top(const Simulation& s) {
         const auto k = static_cast<std::size_t>(grain);
         if (!s.grains.fixed(k)) top = std::max(top, s.grains.z[k] + s.grains.radius[k]);
     };
-    dem_min::for_each_contact(
-        s, [&](std::size_t group, const dem_min::Contacts& c, std::size_t slot) {
-            raise(c.i[slot]);
-            if (!s.at_wall(group)) raise(c.j[slot]);
-        });
+    dem_min::for_each_contact(s,
+                              [&](std::size_t group, const dem_min::Contacts& c, std::size_t slot) {
+                                  raise(c.i[slot]);
+                                  if (!s.at_wall(group)) raise(c.j[slot]);
+                              });
     return top;
 }
 
@@ -88,6 +88,17 @@ void feed(PileRun& run, const PileSetup& setup) {
         dem_min::insert(s, {{x, y, z}, {}, {}, radius, setup.density, false});
         ++run.fed;
     }
+}
+
+// The step, after this one, at which the next grain is due; or, when all have been fed, at which rest is looked for.
+std::int64_t next_event(const PileRun& run, const PileSetup& setup) {
+    const std::int64_t now = run.simulation.steps;
+    if (run.fed == setup.feed_time.size())
+        return (now / rest_check_interval + 1) * rest_check_interval;
+    const double due = setup.feed_time[run.fed];
+    auto step = static_cast<std::int64_t>(due / setup.time_step);  // within one of the answer
+    step += static_cast<double>(step) * setup.time_step < due;
+    return std::max(now + 1, step);
 }
 
 std::size_t loose_grains(const Simulation& s) {
@@ -129,7 +140,9 @@ PileRun begin_pile(const PileSetup& setup, int threads, bool ledger) {
                   .gravity = {0.0, 0.0, -setup.gravity},
                   .lost_below = setup.lost_below,
                   .threads = threads,
-                  .ledger = ledger};
+                  .ledger = ledger,
+                  .sleep_speed = setup.sleep_speed,
+                  .sleep_spin = setup.sleep_speed / (0.5 * setup.d)};
     s.between_grains = laws(setup.grains);
     s.at_walls = laws(setup.walls);
     s.walls = walls(setup.conditions);
@@ -138,9 +151,11 @@ PileRun begin_pile(const PileSetup& setup, int threads, bool ledger) {
 }
 
 void advance(PileRun& run, const PileSetup& setup, std::int64_t steps) {
-    for (std::int64_t k = 0; k < steps && !run.finished; ++k) {
+    Simulation& s = run.simulation;
+    const std::int64_t last = s.steps + steps;
+    while (s.steps < last && !run.finished) {
         feed(run, setup);
-        dem_min::step(run.simulation);
+        dem_min::advance(s, std::min(last, next_event(run, setup)) - s.steps);
         watch_rest(run, setup);
     }
 }
@@ -173,6 +188,8 @@ PileRecord record(const PileRun& run, const PileSetup& setup) {
     result.grains_fed = static_cast<std::int64_t>(run.fed);
     result.grains_lost = s.past.grains_lost;
     result.steps = s.steps;
+    result.slept = static_cast<double>(s.past.grain_steps_slept) /
+                   static_cast<double>(std::max<std::int64_t>(1, s.past.grain_steps));
     result.time_step = setup.time_step;
     result.base_radius = result.heap.base_radius;
     result.grain_diameter = setup.d;

@@ -49,12 +49,13 @@ struct PileSetup {
     double d, density;  // m, kg/m^3
     double gravity;     // m/s^2, along -z
     ContactParameters grains, walls;
-    double time_step, skin, lost_below;   // s, m, m
-    double rest_duration;                 // s, sqrt(1000 d/g)
-    double longest;                       // s: a run that has not come to rest by then is given up
-    std::vector<double> feed_time;        // s, [grains]
-    std::vector<double> feed_x, feed_y;   // m, [grains]
-    std::vector<double> radius;           // m, [grains]
+    double time_step, skin, lost_below;  // s, m, m
+    double rest_duration;                // s, sqrt(1000 d/g)
+    double longest;                      // s: a run that has not come to rest by then is given up
+    std::vector<double> feed_time;       // s, [grains]
+    std::vector<double> feed_x, feed_y;  // m, [grains]
+    std::vector<double> radius;          // m, [grains]
+    double sleep_speed = 0.0;  // m/s: regions whose grains are all slower are left out; 0: none
     std::vector<std::string> notes = {};  // on the apparatus: open edges of a mesh and the like
 };
 
@@ -65,6 +66,10 @@ PileSetup pile_setup(const cases::Case&, const cases::Experiment&, std::uint64_t
 
 // Sets time step, skin, rest duration and give-up time from the rest of the setup.
 void choose_steps(PileSetup&);
+
+// Where simulate --sleep lets a region sleep: all grains slower than a thousandth of sqrt(g d), about the speed at which the whole
+// heap counts as at rest. m/s.
+double speed_of_rest(const PileSetup&);
 
 // Draws feeding instants, places and sizes.
 void choose_feed(PileSetup&, const cases::Grain& sizes, std::uint64_t seed);
@@ -98,6 +103,7 @@ struct PileRecord {
     std::optional<double> packing_fraction;
     double coordination;
     std::int64_t grains_fed, grains_lost, steps;
+    double slept;                        // 1, share of all grain-steps left out by sleep
     double time_step;                    // s
     double base_radius, grain_diameter;  // m
     std::uint64_t hash;                  // of the final state in the setup's own units

@@ -137,6 +137,8 @@ PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment,
     return s;
 }
 
+double speed_of_rest(const PileSetup& s) { return 1e-3 * std::sqrt(s.gravity * s.d); }
+
 void choose_feed(PileSetup& s, const cases::Grain& sizes, std::uint64_t seed) {
     const dem_min::RandomStream places{seed, feeding_places}, diameters{seed, grain_sizes};
     const auto count = static_cast<std::size_t>(s.conditions.grains);
@@ -193,6 +195,7 @@ PileSetup scaled(const PileSetup& original, const scaling::ScaleMap& map) {
           s.walls.g_star);
     times(map.factor("work_of_adhesion"), s.grains.work_of_adhesion, s.walls.work_of_adhesion);
     times(map.factor("contact_time"), s.time_step);
+    times(length / time, s.sleep_speed);
     times(time, s.rest_duration, s.longest);
     for (double& t : s.feed_time) t *= time;
     for (std::size_t k = 0; k < s.radius.size(); ++k)

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 using dem_min::Simulation;
 using dem_min::step;
@@ -56,6 +57,50 @@ TEST_CASE("a number that is not finite stops the run and names its grain", "[dem
     SECTION("and in the reference step") {
         REQUIRE_THROWS_WITH(reference_step(s), Catch::Contains("grain 1 "));
     }
+}
+
+// 3000 sticky grains in layers that have come to rest, and one that falls on them.
+TEST_CASE("quiet tiles sleep, keep their places, and wake when something comes",
+          "[dem_min][sleep]") {
+    samples::Powder p = samples::sticky();
+    p.restitution = 0.05;
+    const double d = p.diameter;
+    samples::System system = samples::rain(p, 1, true, false);
+    system.walls = {dem_min::Plane{{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}};
+    system.grains.clear();
+    for (int k = 0; k < 3000; ++k)
+        system.grains.push_back({{(k % 15) * d, (k / 15 % 15) * d, (k / 225 + 0.5) * d},
+                                 {},
+                                 {},
+                                 0.5 * d * (1.0 + 1e-4),
+                                 p.density,
+                                 false});
+    Simulation awake = samples::simulation(system);
+    advance(awake, 12000);
+    Simulation asleep = awake;
+    asleep.settings.sleep_speed = 0.02 * std::sqrt(p.gravity * d);
+    asleep.settings.sleep_spin = asleep.settings.sleep_speed / (0.5 * d);
+    advance(awake, 500), advance(asleep, 500);
+    const std::int64_t before = asleep.past.grain_steps_slept;
+    const dem_min::Grain guest{
+        {7.0 * d, 7.0 * d, 15.5 * d}, {0.0, 0.0, -0.3}, {}, 0.5 * d, p.density, false, 0};
+    insert(awake, guest), insert(asleep, guest);
+    advance(awake, 3000), advance(asleep, 3000);
+    const auto after = static_cast<double>(asleep.past.grain_steps_slept - before);
+    REQUIRE(awake.past.grain_steps_slept == 0);
+    REQUIRE(before > 300 * 3000);  // steps_to_sleep is 64 of 500
+    REQUIRE(after > 0.05 * 3000.0 * 3001.0);
+    REQUIRE(after < 0.9 * 3000.0 * 3001.0);  // the hit woke somebody
+    double farthest = 0.0;
+    std::vector<dem_min::Vec3> places(awake.grains.count());
+    for (std::size_t k = 0; k < places.size(); ++k)
+        places[static_cast<std::size_t>(awake.grains.id[k])] = awake.grains.position(k);
+    for (std::size_t k = 0; k < places.size(); ++k)
+        farthest = std::max(farthest,
+                            contact::norm(asleep.grains.position(k) -
+                                          places[static_cast<std::size_t>(asleep.grains.id[k])]));
+    CAPTURE(farthest / d);
+    REQUIRE(farthest < 0.01 * d);  // of a heap at rest nobody sees a hundredth of a grain
 }
 
 TEST_CASE("free flight: position and spin are exact in every step", "[dem_min][exact]") {
