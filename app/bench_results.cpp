@@ -75,15 +75,16 @@ void add_comparison(Json& json, const bench::Comparison& c) {
     json["bed"] = to_json(c.bed, c.threads);
     json["engines"] = Json::array({engine_json(c.ours)});
     json["runs"] = Json::array();
-    json["ratio"] = Json::object();
+    json["ratios"] = Json::object();
     for (std::size_t k = 0; k < c.ours.runs.size(); ++k) {  // in the order in which they ran
         json["runs"].push_back(run_json(c.ours, k, c.bed));
         for (const bench::Timed& peer : c.peers) json["runs"].push_back(run_json(peer, k, c.bed));
     }
     for (const bench::Timed& peer : c.peers) {
         json["engines"].push_back(engine_json(peer));
-        json["ratio"][peer.name] = to_json(bench::spread_of(bench::ratios(c.ours, peer)));
+        json["ratios"][peer.name] = to_json(bench::spread_of(bench::ratios(c.ours, peer)));
     }
+    if (c.peers.size() == 1) json["ratio"] = json["ratios"].front()["median"];
 }
 
 Json point_json(const bench::ScalingPoint& p) {
