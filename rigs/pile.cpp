@@ -8,7 +8,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 namespace rigs {
 namespace {
@@ -44,18 +46,29 @@ void glue_base(Simulation& s, const PileSetup& setup) {
         }
 }
 
-// Top of the heap: of the highest loose grain that touches something.
+// Top of the heap: of the highest loose grain that is joined by contacts to a wall or to a glued grain. Grains that touch one
+// another in flight are no heap: to feed above them would raise the feed without end where the stream is dense at its source.
 double heap_top(const Simulation& s) {
-    double top = 0.0;
-    const auto raise = [&](int grain) {
-        const auto k = static_cast<std::size_t>(grain);
-        if (!s.grains.fixed(k)) top = std::max(top, s.grains.z[k] + s.grains.radius[k]);
+    std::vector<std::size_t> leader(s.grains.count() + 1);  // the last one: all that stands still
+    std::iota(leader.begin(), leader.end(), std::size_t{0});
+    const std::size_t ground = s.grains.count();
+    const auto find = [&](std::size_t k) {
+        while (leader[k] != k) k = leader[k] = leader[leader[k]];
+        return k;
     };
-    dem_min::for_each_contact(s,
-                              [&](std::size_t group, const dem_min::Contacts& c, std::size_t slot) {
-                                  raise(c.i[slot]);
-                                  if (!s.at_wall(group)) raise(c.j[slot]);
-                              });
+    const auto joined = [&](int grain) {
+        const auto k = static_cast<std::size_t>(grain);
+        return s.grains.fixed(k) ? ground : k;
+    };
+    dem_min::for_each_contact(
+        s, [&](std::size_t group, const dem_min::Contacts& c, std::size_t slot) {
+            const std::size_t other = s.at_wall(group) ? ground : joined(c.j[slot]);
+            leader[find(joined(c.i[slot]))] = find(other);
+        });
+    double top = 0.0;
+    for (std::size_t k = 0; k < s.grains.count(); ++k)
+        if (!s.grains.fixed(k) && find(k) == find(ground))
+            top = std::max(top, s.grains.z[k] + s.grains.radius[k]);
     return top;
 }
 
