@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Hypotheses fitted to the recordings: single effects, pairs, a force that no law explains; their evidence, and how far two of
+// them are apart.
+#pragma once
+
+#include "diagnose/fit.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace diagnose {
+
+struct Candidate {
+    Hypothesised h;
+    Fit fit;
+    double log_evidence = 0.0;  // of the fit, and of strengths too small to be seen
+    double unseen = 0.0;        // share of the prior of the last term that these recordings could not show
+    std::string name() const { return h.name(); }
+};
+
+// `start`, a fitted hypothesis, and one term more. Strengths and further unknowns of the term are tried on a grid, the rest
+// refitted at first order; the best go on to a fit of their own.
+Candidate extended(const Problem&, const Whitener&, const Candidate& start, const Term&);
+
+// The same from where it stands, under another whitener; `start` is what the last term was added to, itself refitted.
+void refit(const Problem&, const Whitener&, Candidate&, const Candidate* start);
+
+// The force that is missing along the variable of the state that explains most: `start` plus knots, each a Gaussian about
+// nothing whose size is that of greatest evidence. `term` receives the term, which the candidate points to. Nothing where the
+// rig takes no such force.
+std::vector<Candidate> with_missing_force(const Problem&, const Whitener&, const Candidate& start, std::vector<Term>& terms);
+
+// sqrt(chi squared) that `other`, refitted, leaves where `truth` is what is recorded, without noise: how many sigma they are
+// apart. The problem may hold further experiments than those of the fits.
+double separation(const Problem&, const Whitener&, const Candidate& truth, const Candidate& other);
+
+// f(0) .. f(count - 1) on so many threads.
+void in_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& f);
+
+}  // namespace diagnose

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "diagnose/catalogue.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <set>
+
+namespace diagnose {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Unknown log_range(const std::string& name, const std::string& unit, double low, double high) {
+    return {.name = name, .unit = unit, .key = name, .prior = Prior::log_uniform, .low = low, .high = high,
+            .start = std::sqrt(low * high)};
+}
+Unknown range(const std::string& name, const std::string& unit, double low, double high, double start) {
+    return {.name = name, .unit = unit, .key = name, .prior = Prior::uniform, .low = low, .high = high, .start = start};
+}
+
+// What sets the size of things in a case: its first experiment.
+struct Sizes {
+    double radius, speed;  // m, m/s: the fastest that any experiment states or falls to
+    std::set<std::string> rigs, channels, physics;
+};
+
+double stated(const cases::Experiment& e, const std::string& key, const std::string& unit) {
+    return e.conditions.has(key) ? e.conditions.at(key).si(cases::parse_unit(unit, key)) : 0.0;
+}
+
+Sizes sizes_of(const Problem& p) {
+    Sizes s{.radius = 0.0, .speed = 0.0, .rigs = {}, .channels = {}, .physics = p.world.physics};
+    for (const Record& r : p.records) {
+        const cases::Experiment& e = *r.experiment;
+        s.radius = std::max(s.radius, 0.5 * e.grain.diameter.value.value());
+        s.rigs.insert(e.rig);
+        for (const Channel& c : r.channels) s.channels.insert(c.name);
+        const double speed = e.rig == "pull_off" ? 0.0 : std::abs(stated(e, "speed", "m/s"));
+        const double height = e.rig == "drop" ? stated(e, "height", "m") : 0.0;
+        s.speed = std::max(s.speed, std::hypot(speed, std::sqrt(2.0 * e.surroundings.gravity.value() * height)));
+    }
+    if (s.speed == 0.0) s.speed = 1.0;
+    return s;
+}
+
+using Recipe = std::function<std::vector<Unknown>(const Sizes&)>;
+
+struct Entry {
+    std::string effect;
+    std::vector<std::string> idle;
+    bool two_sided;
+    Recipe unknowns;
+};
+
+// The ranges: docs/diagnose.md.
+const std::vector<Entry>& entries() {
+    using U = std::vector<Unknown>;
+    static const std::vector<Entry> table{
+        {"air_drag", {}, false, [](const Sizes&) { return U{log_range("drag_factor", "1", 0.1, 10.0)}; }},
+        {"buoyancy", {}, false, [](const Sizes&) { return U{}; }},
+        {"adhesion", {}, false, [](const Sizes&) { return U{log_range("work_of_adhesion", "J/m^2", 1e-4, 10.0)}; }},
+        {"van_der_waals", {}, false, [](const Sizes&) { return U{log_range("hamaker_constant", "J", 1e-21, 2e-18)}; }},
+        {"capillary_bridge", {}, false,
+         [](const Sizes& s) {
+             const double r3 = s.radius * s.radius * s.radius;
+             return U{log_range("surface_tension", "N/m", 0.005, 0.6), log_range("liquid_volume", "m^3", 1e-7 * r3, 0.5 * r3)};
+         }},
+        {"electrostatic", {}, false,
+         [](const Sizes& s) {
+             const double most = 26.6e-6 * 4.0 * pi * s.radius * s.radius;  // C: breakdown of air at a flat surface
+             return U{log_range("charge", "C", 1e-4 * most, 100.0 * most)};
+         }},
+        {"rolling_resistance", {}, false, [](const Sizes&) { return U{log_range("rolling_friction", "1", 1e-4, 0.5)}; }},
+        {"viscoelastic_restitution", {"restitution"}, false,
+         [](const Sizes&) { return U{log_range("loss_coefficient", "(s/m)^(1/5)", 0.01, 0.9)}; }},
+        {"plastic_restitution", {}, false,
+         [](const Sizes& s) { return U{log_range("yield_velocity", "m/s", 1e-3 * s.speed, s.speed)}; }},
+        {"velocity_dependent_friction", {}, true,
+         [](const Sizes& s) {
+             return U{range("dynamic_friction", "1", 0.0, 1.2, 0.2), log_range("friction_velocity", "m/s", 3e-3 * s.speed, 3.0 * s.speed)};
+         }},
+        {"tangential_compliance", {}, false, [](const Sizes&) { return U{log_range("stiffness_ratio", "1", 0.1, 10.0)}; }},
+        {"tilt", {}, true, [](const Sizes&) { return U{range("tilt_angle", "rad", -0.26, 0.26, 0.02)}; }},
+        {"vibration", {}, false,
+         [](const Sizes& s) {
+             return U{log_range("amplitude", "m", 1e-7, 1e-2 * std::max(0.1, s.speed * s.speed / 20.0)),
+                      log_range("frequency", "Hz", 2.0, 500.0), range("phase", "rad", 0.0, 2.0 * pi, 1.0)};
+         }},
+    };
+    return table;
+}
+
+bool can_act(const Problem& p, const std::string& effect) {
+    return std::any_of(p.records.begin(), p.records.end(), [&](const Record& r) {
+        if (effect == "buoyancy" || effect == "air_drag")
+            if (r.experiment->surroundings.fluid_density.value() <= 0.0) return false;
+        if (effect == "air_drag" && r.experiment->surroundings.fluid_viscosity.value() <= 0.0) return false;
+        return r.model->effects().contains(effect);
+    });
+}
+
+// Sliding friction does nothing in a drop without sideways motion, nor does what only acts through it.
+bool moves_sideways(const Problem& p) {
+    return std::any_of(p.records.begin(), p.records.end(), [](const Record& r) {
+        const cases::Experiment& e = *r.experiment;
+        return e.rig != "drop" || stated(e, "horizontal_speed", "m/s") != 0.0 || stated(e, "spin", "rad/s") != 0.0;
+    });
+}
+
+double channel_range(const Problem& p, const std::string& name) {
+    double widest = 0.0;
+    for (const Record& r : p.records) {
+        double low = 1e300, high = -1e300;
+        for (const Channel& c : r.channels) {
+            if (c.name != name) continue;
+            for (const double v : c.recorded)
+                if (std::isfinite(v)) low = std::min(low, v), high = std::max(high, v);
+        }
+        widest = std::max(widest, high - low);
+    }
+    return widest;
+}
+
+std::string unit_of_channel(const std::string& name) {
+    if (name == "z" || name == "x" || name == "s") return "m";
+    if (name == "force") return "N";
+    if (name == "rebound_angle") return "rad";
+    return name.ends_with("spin") ? "rad/s" : "1";
+}
+
+Term scale_of(const std::string& channels) {
+    Unknown u = range("scale", "1", 0.85, 1.18, 1.0);
+    u.target = Target::scale, u.key = channels;
+    return {.effect = "measurement_scale", .channel = channels, .unknowns = {u}, .two_sided = true};
+}
+
+void add_measurement(std::vector<Term>& list, const Problem& p, const Sizes& s) {
+    const bool over_drive = std::any_of(p.records.begin(), p.records.end(), [](const Record& r) { return r.ordinate == "displacement"; });
+    const bool camera = s.channels.contains("z");
+    if (camera) list.push_back(scale_of(s.channels.contains("x") ? "z,x" : "z"));
+    for (const std::string& c : s.channels) {
+        if (!camera || (c != "z" && c != "x")) list.push_back(scale_of(c));
+        if (over_drive) continue;  // the base line is refitted
+        const double widest = 0.3 * channel_range(p, c);
+        if (!(widest > 0.0)) continue;
+        Unknown u = range("offset", unit_of_channel(c), -widest, widest, 0.0);
+        u.target = Target::offset, u.key = c;
+        list.push_back({.effect = "measurement_offset", .channel = c, .unknowns = {u}, .two_sided = true});
+    }
+    if (s.rigs.contains("drop") || s.rigs.contains("incline")) {
+        Unknown u = range("factor", "1", 0.85, 1.18, 1.0);
+        u.target = Target::time_factor;
+        list.push_back({.effect = "time_base", .unknowns = {u}, .two_sided = true});
+    }
+}
+
+bool is_numerical(const cases::Numerics& n) {
+    return n.time_step.has_value() || n.youngs_modulus_factor != 1.0 || n.integrator == "euler";
+}
+
+}  // namespace
+
+std::vector<Term> catalogue(const Problem& p) {
+    const Sizes s = sizes_of(p);
+    std::vector<Term> list;
+    for (const Entry& e : entries()) {
+        if (s.physics.contains(e.effect) || !can_act(p, e.effect)) continue;
+        if (e.effect == "tangential_compliance" && !s.physics.contains("hertz_coulomb")) continue;
+        const bool through_friction = e.effect == "velocity_dependent_friction" || e.effect == "rolling_resistance" ||
+                                      e.effect == "tangential_compliance";
+        if (through_friction && !moves_sideways(p)) continue;
+        list.push_back({.effect = e.effect, .unknowns = e.unknowns(s), .idle = e.idle, .two_sided = e.two_sided});
+    }
+    add_measurement(list, p, s);
+    if (p.world.numerics && is_numerical(*p.world.numerics)) list.push_back({.effect = "numerical_artefact", .unknowns = {}});
+    return list;
+}
+
+Term missing_force(const std::string& variable, double low, double high, std::size_t knots, double size) {
+    Term t{.effect = "unknown", .unknowns = {}, .two_sided = true, .missing_variable = variable};
+    for (std::size_t k = 0; k < knots; ++k) {
+        t.missing_knots.push_back(low + (high - low) * static_cast<double>(k) / static_cast<double>(knots - 1));
+        t.unknowns.push_back({.name = "force_" + std::to_string(k + 1),
+                              .unit = "N",
+                              .target = Target::missing_force_knot,
+                              .prior = Prior::gaussian,
+                              .low = -100.0 * size,
+                              .high = 100.0 * size,
+                              .mean = 0.0,
+                              .deviation = size,
+                              .index = k});
+    }
+    return t;
+}
+
+bool is_measurement(const std::string& effect) {
+    return effect.starts_with("measurement_") || effect == "time_base" || effect == "numerical_artefact";
+}
+
+double drag_coefficient(const Problem& p, const Hypothesised& h, const Eigen::VectorXd& theta, double factor) {
+    double fastest = 0.0;
+    const cases::Experiment* where = nullptr;
+    for (const Record& r : p.records) {
+        const rigs::Curves state = r.model->variables(world_at(p, h, theta, r), r.ordinates);
+        const auto speed = state.find("speed");
+        if (speed == state.end()) continue;
+        for (const double v : speed->second)
+            if (std::isfinite(v) && std::abs(v) > fastest) fastest = std::abs(v), where = r.experiment;
+    }
+    return where ? factor * rigs::drag_curve(*where, fastest) : factor;
+}
+
+}  // namespace diagnose

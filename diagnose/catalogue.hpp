@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The effects that may have been left out of a case: those that can act in its rigs and are not in its model, with prior
+// ranges in physical units (docs/diagnose.md), and the measurement effects.
+#pragma once
+
+#include "diagnose/problem.hpp"
+#include "diagnose/unknowns.hpp"
+
+#include <string>
+#include <vector>
+
+namespace diagnose {
+
+// Several terms may carry one name: a scale of the lengths, a scale of the spin.
+std::vector<Term> catalogue(const Problem&);
+
+// A force that no law explains, along `variable`, of `knots` values between `low` and `high`; each a Gaussian of deviation
+// `size` (N) about nothing.
+Term missing_force(const std::string& variable, double low, double high, std::size_t knots, double size);
+
+// No physics: scale, offset, time base, numerical artefact.
+bool is_measurement(const std::string& effect);
+
+// The drag coefficient that stands for `drag_factor`: at the fastest speed that the fit recordings reach.
+double drag_coefficient(const Problem&, const Hypothesised&, const Eigen::VectorXd& theta, double factor);
+
+}  // namespace diagnose

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+#include "diagnose/locate.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <random>
+
+namespace diagnose {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+using Series = std::vector<Index>;  // places in the long vector, in some order
+
+// A sum of squares of L normal numbers as one normal number (Wilson and Hilferty 1931).
+double normal_of_squares(double sum, double count) {
+    return (std::cbrt(sum / count) - (1.0 - 2.0 / (9.0 * count))) / std::sqrt(2.0 / (9.0 * count));
+}
+
+double largest_window(const VectorXd& r, const Series& s) {
+    const std::size_t n = s.size();
+    if (n < 4) return 0.0;
+    std::vector<double> sum(n + 1, 0.0), squares(n + 1, 0.0);
+    for (std::size_t k = 0; k < n; ++k) {
+        sum[k + 1] = sum[k] + r[s[k]];
+        squares[k + 1] = squares[k] + r[s[k]] * r[s[k]];
+    }
+    double largest = 0.0;
+    for (std::size_t length = n; length >= std::max<std::size_t>(4, n / 64); length /= 2) {
+        const std::size_t hop = std::max<std::size_t>(1, length / 4);
+        const auto count = static_cast<double>(length);
+        for (std::size_t from = 0; from + length <= n; from += hop) {
+            const double mean = (sum[from + length] - sum[from]) / std::sqrt(count);
+            const double energy = normal_of_squares(squares[from + length] - squares[from], count);
+            largest = std::max({largest, std::abs(mean), energy});
+        }
+        if (length < 8) break;
+    }
+    return largest;
+}
+
+std::vector<Series> by_recording(const Problem& p, const Whitener& w) {
+    std::vector<Series> all;
+    for (const Record& r : p.records)
+        for (const Channel& c : r.channels) {
+            Series s;
+            for (std::size_t k = 0; k < c.recorded.size(); ++k)
+                if (w.measured()[c.first + k]) s.push_back(static_cast<Index>(c.first + k));
+            all.push_back(std::move(s));
+        }
+    return all;
+}
+
+// Rows of one channel, all recordings together, sorted by one variable of the state.
+std::vector<Series> by_regime(const Problem& p, const Whitener& w, const Hypothesised& h, const Fit& f) {
+    std::map<std::string, std::vector<std::pair<double, Index>>> sorted;
+    for (const Record& r : p.records) {
+        const rigs::Curves state = r.model->variables(world_at(p, h, f.theta, r), r.ordinates);
+        for (const auto& [variable, values] : state)
+            for (const Channel& c : r.channels)
+                for (std::size_t k = 0; k < c.recorded.size() && k < values.size(); ++k)
+                    if (w.measured()[c.first + k] && std::isfinite(values[k]))
+                        sorted[r.experiment->rig + "." + c.name + "." + variable].push_back({values[k], static_cast<Index>(c.first + k)});
+    }
+    std::vector<Series> all;
+    for (auto& [name, rows] : sorted) {
+        std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        Series s;
+        for (const auto& row : rows) s.push_back(row.second);
+        all.push_back(std::move(s));
+    }
+    return all;
+}
+
+using Families = std::array<double, 3>;
+
+Families statistics_of(const VectorXd& r, const std::vector<Shape>& shapes, const MatrixXd& directions,
+                       const std::vector<Series>& windows, const std::vector<Series>& regimes) {
+    Families t{0.0, 0.0, 0.0};
+    const VectorXd along = directions.transpose() * r;
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+        const double z = along[static_cast<Index>(k)];
+        t[0] = std::max(t[0], shapes[k].two_sided ? std::abs(z) : z);
+    }
+    for (const Series& s : windows) t[1] = std::max(t[1], largest_window(r, s));
+    for (const Series& s : regimes) t[2] = std::max(t[2], largest_window(r, s));
+    return t;
+}
+
+double share_at_least(const std::vector<double>& sorted, double value) {
+    const auto at = std::lower_bound(sorted.begin(), sorted.end(), value);
+    return (1.0 + static_cast<double>(sorted.end() - at)) / (1.0 + static_cast<double>(sorted.size()));
+}
+
+// Where the first unknown of a term is such that it does nothing; NaN where that is the low end.
+double null_value(const Term& t, const Hypothesised& h, const Fit& f) {
+    if (t.effect == "velocity_dependent_friction") {
+        for (std::size_t k = 0; k < h.unknowns.size(); ++k)
+            if (h.unknowns[k].key == "sliding_friction") return f.theta[static_cast<Index>(k)];
+        return std::nan("");
+    }
+    return t.two_sided && !t.unknowns.empty() ? t.unknowns.front().start : std::nan("");
+}
+
+struct ShapeMaker {
+    const Problem& problem;
+    const Whitener& whiten;
+    const Hypothesised& h;
+    const Fit& fit;
+    const Projection& project;
+
+    VectorXd shape(const Hypothesised& with, const VectorXd& own) const {
+        VectorXd theta(static_cast<Index>(with.unknowns.size()));
+        for (Index k = 0; k < theta.size() - own.size(); ++k)
+            for (std::size_t n = 0; n < h.unknowns.size(); ++n)
+                if (h.unknowns[n].name == with.unknowns[static_cast<std::size_t>(k)].name) theta[k] = fit.theta[static_cast<Index>(n)];
+        theta.tail(own.size()) = own;
+        VectorXd d = predicted(problem, with, theta) - fit.prediction;
+        return project(whiten(d));
+    }
+};
+
+}  // namespace
+
+Projection::Projection(const std::vector<Unknown>& unknowns, const Fit& f) : jacobian_(f.jacobian) {
+    MatrixXd normal = jacobian_.transpose() * jacobian_;
+    for (Index k = 0; k < normal.rows(); ++k)
+        normal(k, k) += unknowns[static_cast<std::size_t>(k)].prior == Prior::gaussian ? 1.0 : 1e-9 * (1.0 + normal(k, k));
+    gain_ = normal.ldlt().solve(jacobian_.transpose());
+}
+
+VectorXd Projection::operator()(const VectorXd& white) const {
+    if (jacobian_.cols() == 0) return white;
+    return white - jacobian_ * (gain_ * white);
+}
+
+std::vector<Shape> shapes(const Problem& p, const Whitener& w, const Hypothesised& h, const Fit& f,
+                          const std::vector<Term>& terms) {
+    constexpr double visible = 4.0;
+    const Projection project(h.unknowns, f);
+    const ShapeMaker maker{p, w, h, f, project};
+    std::vector<Shape> list;
+    const auto add = [&](std::size_t term, bool two_sided, const VectorXd& d) {
+        const double size = d.norm();
+        if (size > 1e-3 && std::isfinite(size)) list.push_back({term, two_sided, d / size});
+    };
+    for (std::size_t t = 0; t < terms.size(); ++t) {
+        const Term& term = terms[t];
+        if (std::find(h.terms.begin(), h.terms.end(), &term) != h.terms.end()) continue;
+        std::vector<const Term*> with = h.terms;
+        with.push_back(&term);
+        const Hypothesised extended = p.hypothesis(std::move(with));
+        const auto n = static_cast<Index>(term.unknowns.size());
+        if (n == 0) {
+            add(t, false, maker.shape(extended, VectorXd(0)));
+            continue;
+        }
+        // The further unknowns on a coarse grid, the first at strengths around what is visible.
+        std::vector<VectorXd> grid{VectorXd::Zero(n)};
+        for (Index k = 1; k < n; ++k) {
+            const Unknown& x = term.unknowns[static_cast<std::size_t>(k)];
+            const int count = x.key == "frequency" ? 24 : x.key == "phase" ? 4 : 3;
+            std::vector<VectorXd> finer;
+            for (const VectorXd& g : grid)
+                for (int c = 0; c < count; ++c) finer.push_back(g), finer.back()[k] = (c + 0.5) / count;
+            grid = std::move(finer);
+        }
+        const double nothing = null_value(term, h, f);
+        for (VectorXd u : grid) {
+            if (std::isfinite(nothing)) {
+                VectorXd own = to_theta(term.unknowns, u);
+                own[0] = std::min(nothing + 0.004 * (term.unknowns[0].high - term.unknowns[0].low), term.unknowns[0].high);
+                add(t, true, maker.shape(extended, own));
+                continue;
+            }
+            const bool falling = term.effect == "plastic_restitution";  // strongest at the low end
+            const auto size_at = [&](double strength) {
+                u[0] = falling ? 1.0 - strength : strength;
+                return maker.shape(extended, to_theta(term.unknowns, u));
+            };
+            if (term.effect == "vibration") {  // linear in its amplitude, and its grid is large
+                add(t, true, size_at(0.4));
+                continue;
+            }
+            VectorXd weakest;
+            double low = 0.0;
+            for (const double strength : {0.15, 0.3, 0.45, 0.6, 0.75, 0.9}) {
+                const VectorXd d = size_at(strength);
+                if (d.norm() < visible) {
+                    low = strength;
+                    continue;
+                }
+                double a = low, b = strength;
+                weakest = d;
+                for (int k = 0; k < 4; ++k) {
+                    const double middle = 0.5 * (a + b);
+                    const VectorXd e = size_at(middle);
+                    if (e.norm() < visible) a = middle;
+                    else b = middle, weakest = e;
+                }
+                add(t, false, weakest);
+                add(t, false, size_at(std::min(1.0, b + 0.12)));
+                break;
+            }
+        }
+    }
+    return list;
+}
+
+Mismatch test_of_mismatch(const Problem& p, const Whitener& w, const Hypothesised& h, const Fit& f,
+                          const std::vector<Shape>& list, const std::vector<double>& innovations, std::uint64_t seed,
+                          int draws) {
+    const Projection project(h.unknowns, f);
+    const std::vector<Series> windows = by_recording(p, w), regimes = by_regime(p, w, h, f);
+    MatrixXd directions(static_cast<Index>(p.size), static_cast<Index>(list.size()));
+    for (std::size_t k = 0; k < list.size(); ++k) directions.col(static_cast<Index>(k)) = list[k].direction;
+
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    std::array<std::vector<double>, 3> null;
+    VectorXd z = VectorXd::Zero(static_cast<Index>(p.size));
+    for (int n = 0; n < draws; ++n) {
+        for (Index k = 0; k < z.size(); ++k) {
+            if (!w.measured()[static_cast<std::size_t>(k)]) continue;
+            z[k] = innovations.empty() ? normal(random) : innovations[random() % innovations.size()];
+        }
+        const Families t = statistics_of(project(z), list, directions, windows, regimes);
+        for (std::size_t k = 0; k < 3; ++k) null[k].push_back(t[k]);
+    }
+    const Families seen = statistics_of(project(f.white), list, directions, windows, regimes);
+    std::array<std::vector<double>, 3> sorted = null;
+    for (auto& s : sorted) std::sort(s.begin(), s.end());
+    // No family where nothing was to be had counts.
+    const auto least = [&](const Families& t) {
+        double p_least = 1.0;
+        for (std::size_t k = 0; k < 3; ++k)
+            if (sorted[k].back() > 0.0) p_least = std::min(p_least, share_at_least(sorted[k], t[k]));
+        return p_least;
+    };
+    const double observed = least(seen);
+    int as_small = 0;
+    for (std::size_t n = 0; n < null[0].size(); ++n) as_small += least({null[0][n], null[1][n], null[2][n]}) <= observed ? 1 : 0;
+    // Beyond all draws of a family the three trials cost a factor of three at most.
+    const double floor = 1.0 / (1.0 + draws);
+    const double global = observed <= 1.5 * floor ? std::min(1.0, 3.0 * floor) : (1.0 + as_small) / (1.0 + draws);
+    return {.p_value = global,
+            .p_shapes = share_at_least(sorted[0], seen[0]),
+            .p_windows = share_at_least(sorted[1], seen[1]),
+            .p_regimes = share_at_least(sorted[2], seen[2])};
+}
+
+std::vector<Located> located(const Problem& p, const VectorXd& white, const VectorXd& difference, double p_value) {
+    const double all = white.squaredNorm();
+    std::vector<std::pair<double, Located>> list;
+    for (const Record& r : p.records) {
+        for (const Channel& c : r.channels) {
+            std::vector<std::pair<double, Index>> rows;
+            double total = 0.0;
+            for (std::size_t k = 0; k < c.recorded.size(); ++k) {
+                if (!std::isfinite(c.recorded[k])) continue;
+                const auto at = static_cast<Index>(c.first + k);
+                rows.push_back({r.ordinates.at[k], at});
+                total += white[at] * white[at];
+            }
+            if (rows.size() < 2 || total < 0.02 * all || total <= 0.0) continue;
+            std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+            std::size_t best_from = 0, best_to = rows.size() - 1, from = 0;
+            double inside = 0.0;
+            for (std::size_t to = 0; to < rows.size(); ++to) {
+                inside += white[rows[to].second] * white[rows[to].second];
+                while (from < to && inside - white[rows[from].second] * white[rows[from].second] >= 0.8 * total) {
+                    inside -= white[rows[from].second] * white[rows[from].second];
+                    ++from;
+                }
+                if (inside >= 0.8 * total && rows[to].first - rows[from].first < rows[best_to].first - rows[best_from].first)
+                    best_from = from, best_to = to;
+            }
+            double signed_sum = 0.0, squares = 0.0;
+            for (std::size_t k = best_from; k <= best_to; ++k) {
+                const double d = difference[rows[k].second];
+                signed_sum += d * std::abs(d), squares += d * d;
+            }
+            const bool length = c.name == "z" || c.name == "x" || c.name == "s";
+            list.push_back({total,
+                            {.experiment = r.experiment->id,
+                             .channel = c.name,
+                             .variable = r.ordinate,
+                             .unit = r.ordinate == "t" ? "s" : r.ordinate == "angle" ? "rad" : "m",
+                             .from = rows[best_from].first,
+                             .to = rows[best_to].first,
+                             .sign = signed_sum >= 0.0 ? 1 : -1,
+                             .size = std::sqrt(squares / static_cast<double>(best_to - best_from + 1)),
+                             .size_unit = length ? "m" : c.name == "force" ? "N" : c.name == "rebound_angle" ? "rad" : c.name.ends_with("spin") ? "rad/s" : "1",
+                             .p_value = p_value}});
+        }
+    }
+    std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::vector<Located> result;
+    for (auto& entry : list) result.push_back(std::move(entry.second));
+    return result;
+}
+
+}  // namespace diagnose

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// A case as a judge sees it: recordings as one long vector, a forward model for each, and the unknowns of the user's model.
+#pragma once
+
+#include "cases/case.hpp"
+#include "diagnose/unknowns.hpp"
+#include "rigs/forward.hpp"
+
+#include <Eigen/Core>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace diagnose {
+
+struct Channel {
+    std::string name;
+    std::vector<double> recorded;  // [rows], SI; NaN where nothing was measured
+    double stated_noise = 0.0;     // standard deviation; 0 where the case does not give it
+    std::size_t first = 0;         // place in the long vector
+};
+
+struct Record {
+    const cases::Experiment* experiment;
+    std::unique_ptr<rigs::ForwardModel> model;
+    rigs::Ordinates ordinates;
+    std::string ordinate;  // "t", "angle", "separation", "displacement"
+    std::vector<Channel> channels;
+};
+
+// One hypothesis: the user's physics, terms added to it, all unknowns.
+struct Hypothesised {
+    std::vector<const Term*> terms;
+    std::vector<Unknown> unknowns;  // those of the base model that are not idle, then those of the terms
+    std::string name() const;       // "none", "air_drag", "adhesion + tilt"
+};
+
+struct Problem {
+    const cases::Case* given = nullptr;
+    std::vector<Record> records;
+    std::size_t size = 0;           // of the long vector
+    std::vector<Unknown> base;      // free parameters, nuisances
+    rigs::World world;              // the user's, at stated values
+    Eigen::VectorXd recorded;       // [size]; NaN where nothing was measured
+
+    Hypothesised hypothesis(std::vector<const Term*> terms) const;
+};
+
+// Of the experiments with role `fit` (or, with `held_out`, of the others) that have a recording. The Case must outlive it.
+Problem problem_of(const cases::Case&, bool held_out = false);
+
+// The long vector that the hypothesis predicts at theta [unknowns], 0 where the rig has no answer. `only` < 0: all records, else
+// this one (the rest 0).
+Eigen::VectorXd predicted(const Problem&, const Hypothesised&, const Eigen::VectorXd& theta,
+                          int only = -1);
+
+// The world in which `record` runs, for state variables and plots.
+rigs::World world_at(const Problem&, const Hypothesised&, const Eigen::VectorXd& theta,
+                     const Record&);
+
+}  // namespace diagnose

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// What is fitted: the free parameters of the user's model, what is known only within an uncertainty, and the parameters of an
+// effect that may have been left out.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace diagnose {
+
+enum class Prior {
+    uniform,      // between low and high, hard ends
+    log_uniform,  // likewise, in the logarithm: low > 0
+    gaussian      // mean and deviation; low and high far out
+};
+
+// Where a value goes.
+enum class Target {
+    parameter,          // rigs::World::parameters[key]
+    stated,             // rigs::World::stated[key], of one experiment or of all
+    scale,              // recorded = value x true, of the channels in key ("z,x")
+    offset,             // recorded = true + value, of the channel key
+    time_factor,        // recorded time = value x true time
+    base_line,          // recorded = true + value
+    base_line_slope,    // recorded = true + value (ordinate - middle of the ordinates)
+    missing_force_knot  // rigs::World::missing->newtons[index]
+};
+
+struct Unknown {
+    std::string name, unit;  // as reported; SI
+    Target target = Target::parameter;
+    std::string key{};
+    Prior prior = Prior::uniform;
+    double low = 0.0, high = 1.0;  // SI
+    double mean = 0.0, deviation = 0.0;
+    std::string experiment{};  // empty: one value for all experiments
+    std::size_t index = 0;     // of a knot
+    double start = 0.0;
+};
+
+// One effect that may have been left out.
+struct Term {
+    std::string effect;              // its name in a verdict
+    std::string channel{};           // of a measurement effect
+    std::vector<Unknown> unknowns;   // the first sets the strength
+    std::vector<std::string> idle{}; // parameters of the base model that have no influence beside it
+    bool two_sided = false;          // the first unknown may have either sign
+    std::string missing_variable{};  // of a missing force
+    std::vector<double> missing_knots{};
+};
+
+}  // namespace diagnose
