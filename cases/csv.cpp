@@ -84,8 +84,14 @@ struct Heading {
     double factor;
 };
 
+bool is_voltage(const Unit& unit) {
+    const Unit volt = parse_unit("V", "");
+    return unit.dimension == volt.dimension && unit.current == volt.current;
+}
+
 // "z [mm]", "z (mm)" or "z"
-Heading heading(const std::string& written, const RigRule& rig, const std::string& path) {
+Heading heading(const std::string& written, const RigRule& rig, const std::string& path,
+                double newtons_per_volt) {
     const std::string text = trimmed(written);
     const char last = text.empty() ? ' ' : text.back();
     const std::size_t bracket =
@@ -109,6 +115,14 @@ Heading heading(const std::string& written, const RigRule& rig, const std::strin
         if (parse_unit(candidate, where).dimension == parse_unit(unit, where).dimension) {
             return {channel, candidate, to_si("1 " + unit, parse_unit(candidate, where), where)};
         }
+    }
+    const bool volts = si_unit == "N" && is_voltage(parse_unit(unit, where));
+    if (volts && newtons_per_volt > 0.0)
+        return {channel, si_unit, newtons_per_volt * parse_unit(unit, where).factor};
+    if (volts) {
+        refuse(where, in_quotes(unit), "must be a force: a photodiode's voltage is none by itself",
+               "state the conditions deflection_sensitivity (nm/V) and cantilever_stiffness (N/m), "
+               "both; force = voltage x sensitivity x stiffness");
     }
     refuse(where,
            fmt::format("{} [{}]", in_quotes(unit),
@@ -171,7 +185,8 @@ const Column& Recording::column(const std::string& name) const {
     refuse("recording", "no column \"" + name + "\"", "must hold this channel", "record it");
 }
 
-Recording read_recording(const std::string& path, const std::string& rig_name) {
+Recording read_recording(const std::string& path, const std::string& rig_name,
+                         double newtons_per_volt) {
     const RigRule& rig = rig_rule(rig_name);
     const Rows rows = split(path, read_bytes(path));
     if (rows.empty())
@@ -179,7 +194,7 @@ Recording read_recording(const std::string& path, const std::string& rig_name) {
     Recording recording;
     std::vector<Heading> headings;
     for (const std::string& cell : rows.front()) {
-        headings.push_back(heading(cell, rig, path));
+        headings.push_back(heading(cell, rig, path, newtons_per_volt));
         const Heading& h = headings.back();
         if (recording.has(h.channel->name)) {
             refuse(path + ": column " + in_quotes(cell), "the channel a second time",

@@ -28,8 +28,10 @@ struct Recording {
 // quotes, columns in any order. An empty cell is NaN, a row without any value is left out; "nan" as
 // written is refused. Throws scaling::InvalidInput for a file that is missing or empty, a column
 // that the rig does not have, a unit of another dimension, a cell that is no number, a row that is
-// too long or too short, and channels that are missing.
-Recording read_recording(const std::string& path, const std::string& rig);
+// too long or too short, and channels that are missing. A force may be in volts of a photodiode where
+// `newtons_per_volt` (deflection sensitivity x stiffness of the cantilever, > 0) is stated; 0: it is not.
+Recording read_recording(const std::string& path, const std::string& rig,
+                         double newtons_per_volt = 0.0);
 
 // Writes `name [unit]` and the columns as they are (SI), 17 digits where they are needed and no
 // more; NaN as an empty cell. Throws std::runtime_error where the file cannot be written.

@@ -36,6 +36,14 @@ Plate plate_of(const Value& experiment, const Shared& shared, const RigRule& rig
     return {read.grain.youngs_modulus.value, read.grain.poisson_ratio.value};
 }
 
+// Of the cantilever behind a force curve in volts; 0 where one of the two factors is not stated.
+double newtons_per_volt(const Value& conditions) {
+    if (!conditions.has("deflection_sensitivity") || !conditions.has("cantilever_stiffness"))
+        return 0.0;
+    return checked_pair(conditions.at("deflection_sensitivity"), "m/V", Domain::positive).value *
+           checked_pair(conditions.at("cantilever_stiffness"), "N/m", Domain::positive).value;
+}
+
 std::optional<Recording> recording_of(const Value& experiment, const std::string& key,
                                       const std::string& folder, const RigRule& rig) {
     if (!experiment.has(key)) return std::nullopt;
@@ -45,7 +53,7 @@ std::optional<Recording> recording_of(const Value& experiment, const std::string
         refuse(name, "must be a file beside case.json",
                "no file " + path.string() + "; check its name");
     }
-    return read_recording(path.string(), rig.name);
+    return read_recording(path.string(), rig.name, newtons_per_volt(experiment.at("conditions")));
 }
 
 // The condition `mesh`: one, or a list.
