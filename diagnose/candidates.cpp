@@ -11,7 +11,9 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <map>
 #include <mutex>
+#include <numeric>
 #include <thread>
 
 namespace diagnose {
@@ -69,6 +71,35 @@ std::vector<VectorXd> grid_of(const Term& t) {
     return grid;
 }
 
+// The term's own fit, and other strengths with its further unknowns as there.
+std::vector<VectorXd> near(const Term& t, const VectorXd& u) {
+    std::vector<VectorXd> list{u};
+    const int count = grid_points(t, 0);
+    for (int c = 0; c < count; ++c) list.push_back(u), list.back()[0] = (c + 0.5) / count;
+    return list;
+}
+
+struct Tried {
+    std::vector<std::pair<double, VectorXd>> best_first;  // chi squared at first order, values of the term's unknowns
+    double unseen;                                        // share of the grid that moves nothing by a sigma
+};
+
+Tried tried_on(const Problem& p, const Whitener& w, const Candidate& start, const Hypothesised& h, const Term& term,
+               const std::vector<VectorXd>& grid) {
+    const Projection project(start.h.unknowns, start.fit);
+    const VectorXd left = project(start.fit.white);
+    Tried t{{}, 0.0};
+    for (const VectorXd& u : grid) {
+        const VectorXd values = to_theta(term.unknowns, u);
+        const VectorXd d = project(w(predicted(p, h, carried(start.h, start.fit.theta, h, values)) - start.fit.prediction));
+        if (d.squaredNorm() < 1.0) t.unseen += 1.0 / static_cast<double>(grid.size());
+        const double chi = (left - d).squaredNorm();
+        if (std::isfinite(chi)) t.best_first.push_back({chi, values});
+    }
+    std::stable_sort(t.best_first.begin(), t.best_first.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    return t;
+}
+
 }  // namespace
 
 void in_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& f) {
@@ -94,30 +125,17 @@ void in_parallel(std::size_t count, int threads, const std::function<void(std::s
 
 Candidate extended(const Problem& p, const Whitener& w, const Candidate& start, const Term& term) {
     Candidate c{.h = plus(p, start.h, term), .fit = {}};
-    const auto own = static_cast<Index>(term.unknowns.size());
-    if (own == 0) {
+    if (term.unknowns.empty()) {
         c.fit = fit(p, w, c.h, carried(start.h, start.fit.theta, c.h, VectorXd(0)), true);
         c.log_evidence = c.fit.log_evidence;
         return c;
     }
-    const Projection project(start.h.unknowns, start.fit);
-    const VectorXd left = project(start.fit.white);
-    std::vector<std::pair<double, VectorXd>> tried;
-    int unseen = 0;
-    for (const VectorXd& u : grid_of(term)) {
-        const VectorXd theta = carried(start.h, start.fit.theta, c.h, to_theta(term.unknowns, u));
-        const VectorXd d = project(w(predicted(p, c.h, theta) - start.fit.prediction));
-        const double size = d.squaredNorm();
-        unseen += size < 1.0 ? 1 : 0;
-        const double chi = (left - d).squaredNorm();
-        if (std::isfinite(chi)) tried.push_back({chi, to_theta(term.unknowns, u)});
-    }
-    c.unseen = static_cast<double>(unseen) / static_cast<double>(std::max<std::size_t>(1, tried.size()));
-    std::stable_sort(tried.begin(), tried.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    const Tried tried = tried_on(p, w, start, c.h, term, grid_of(term));
+    c.unseen = tried.unseen;
     std::vector<std::pair<VectorXd, bool>> starts;
-    for (std::size_t k = 0; k < std::min<std::size_t>(2, tried.size()); ++k) starts.push_back({tried[k].second, false});
-    if (!tried.empty()) starts.push_back({tried.front().second, true});
-    if (tried.size() > 4) starts.push_back({tried[tried.size() / 2].second, true});
+    for (std::size_t k = 0; k < std::min<std::size_t>(2, tried.best_first.size()); ++k) starts.push_back({tried.best_first[k].second, false});
+    if (!starts.empty()) starts.push_back({tried.best_first.front().second, true});
+    if (tried.best_first.size() > 4) starts.push_back({tried.best_first[tried.best_first.size() / 2].second, true});
     bool first = true;
     for (const auto& [values, staged] : starts) {
         Fit f = fit(p, w, c.h, carried(start.h, start.fit.theta, c.h, values), staged);
@@ -125,6 +143,47 @@ Candidate extended(const Problem& p, const Whitener& w, const Candidate& start, 
     }
     weigh(c, &start);
     return c;
+}
+
+std::vector<Candidate> pairs_of(const Problem& p, const Whitener& w, const std::vector<Candidate>& singles, std::size_t beam,
+                                std::size_t most, int threads) {
+    std::vector<std::size_t> order(singles.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return singles[a].log_evidence > singles[b].log_evidence; });
+    struct Pair {
+        std::size_t start, added;
+        double chi_squared = std::numeric_limits<double>::max();
+        VectorXd own{};
+    };
+    std::vector<Pair> list;
+    for (std::size_t a = 0; a < std::min(beam, order.size()); ++a)
+        for (std::size_t b = 0; b < order.size(); ++b)
+            if (singles[order[a]].h.terms[0]->effect != singles[order[b]].h.terms[0]->effect && (b >= beam || b > a))
+                list.push_back({order[a], order[b]});
+    in_parallel(list.size(), threads, [&](std::size_t k) {
+        Pair& pair = list[k];
+        const Candidate& start = singles[pair.start];
+        const Term& term = *singles[pair.added].h.terms[0];
+        const Hypothesised h = plus(p, start.h, term);
+        const auto own = static_cast<Index>(term.unknowns.size());
+        const Tried tried = tried_on(p, w, start, h, term, near(term, to_u(term.unknowns, singles[pair.added].fit.theta.tail(own))));
+        if (tried.best_first.empty()) return;
+        pair.chi_squared = tried.best_first.front().first + start.fit.penalty + 3.0 * static_cast<double>(own);
+        pair.own = tried.best_first.front().second;
+    });
+    std::stable_sort(list.begin(), list.end(), [](const Pair& a, const Pair& b) { return a.chi_squared < b.chi_squared; });
+    list.resize(std::min(list.size(), most));
+    std::erase_if(list, [](const Pair& pair) { return pair.chi_squared == std::numeric_limits<double>::max(); });
+    std::vector<Candidate> pairs(list.size());
+    in_parallel(list.size(), threads, [&](std::size_t k) {
+        const Candidate& start = singles[list[k].start];
+        const Term& term = *singles[list[k].added].h.terms[0];
+        Candidate c{.h = plus(p, start.h, term), .fit = {}};
+        c.fit = fit(p, w, c.h, carried(start.h, start.fit.theta, c.h, list[k].own), false, 15);
+        c.log_evidence = c.fit.log_evidence;
+        pairs[k] = std::move(c);
+    });
+    return pairs;
 }
 
 void refit(const Problem& p, const Whitener& w, Candidate& c, const Candidate* start) {

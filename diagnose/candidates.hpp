@@ -23,6 +23,11 @@ struct Candidate {
 // refitted at first order; the best go on to a fit of their own.
 Candidate extended(const Problem&, const Whitener&, const Candidate& start, const Term&);
 
+// Pairs of `singles` whose effects differ: the `beam` singles of most evidence with every other. All are tried at first order
+// from the fits of the singles, the `most` best ones fitted.
+std::vector<Candidate> pairs_of(const Problem&, const Whitener&, const std::vector<Candidate>& singles, std::size_t beam,
+                                std::size_t most, int threads);
+
 // The same from where it stands, under another whitener; `start` is what the last term was added to, itself refitted.
 void refit(const Problem&, const Whitener&, Candidate&, const Candidate* start);
 

@@ -63,7 +63,6 @@ struct Judge {
     void fit_singles();
     void estimate_noise();
     void refit_all();
-    void fit_pairs();
     double own_p(const Candidate&, int n) const;
     Mismatch test(const Candidate&, int n) const;
 };
@@ -106,25 +105,6 @@ Mismatch Judge::test(const Candidate& c, int n) const {
 }
 
 double Judge::own_p(const Candidate& c, int n) const { return test(c, n).p_value; }
-
-void Judge::fit_pairs() {
-    std::vector<std::size_t> order(singles.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return singles[a].log_evidence > singles[b].log_evidence; });
-    std::set<std::pair<std::size_t, std::size_t>> wanted;
-    for (std::size_t a = 0; a < std::min<std::size_t>(4, order.size()); ++a)
-        for (std::size_t b = 0; b < order.size(); ++b) {
-            if (terms[order[a]].effect == terms[order[b]].effect) continue;
-            wanted.insert(std::minmax(order[a], order[b]));
-        }
-    const std::vector<std::pair<std::size_t, std::size_t>> list(wanted.begin(), wanted.end());
-    pairs.assign(list.size(), {});
-    in_parallel(list.size(), settings.threads, [&](std::size_t k) {
-        const auto [a, b] = list[k];
-        const bool first = singles[a].fit.objective() <= singles[b].fit.objective();
-        pairs[k] = extended(problem, *whiten, singles[first ? a : b], terms[first ? b : a]);
-    });
-}
 
 // A name with all that carries it: the variants of a single, a pair in either order, the forces along each variable.
 struct Group {
@@ -426,9 +406,12 @@ Verdict diagnose(const cases::Case& given, const Settings& settings, const std::
         for (const Candidate& c : j.singles) order.push_back(&c);
         std::stable_sort(order.begin(), order.end(), [](const Candidate* a, const Candidate* b) { return a->log_evidence > b->log_evidence; });
         for (std::size_t k = 0; k < std::min<std::size_t>(2, order.size()); ++k) best_own = std::max(best_own, j.own_p(*order[k], 399));
-        if (best_own < 0.05) {
+        if (getenv("DEBUG"))
+            for (const Candidate* c : order) fmt::print(stderr, "  {} {} chi2 {:.1f} logZ {:.2f} own {:.3f}\n", c->name(), c->h.terms[0]->channel, c->fit.chi_squared, c->log_evidence, c == order[0] || c == order[1] ? j.own_p(*c, 399) : -1.0);
+        if (getenv("DEBUG")) fmt::print(stderr, "  base chi2 {:.1f} logZ {:.2f} rows {} rho {:.2f}\n", j.base.fit.chi_squared, j.base.log_evidence, j.whiten->rows(), j.noise[0][0].correlation);
+        if (best_own < 0.02) {
             j.report(0.55, "pairs of effects");
-            j.fit_pairs();
+            j.pairs = pairs_of(j.problem, *j.whiten, j.singles, 4, 10, settings.threads);
         }
     }
     j.report(0.8, "weighing");

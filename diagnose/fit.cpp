@@ -68,6 +68,29 @@ struct Solver {
             if (problem.records[j].experiment->id == x.experiment) return static_cast<int>(j);
         return -1;
     }
+    // One-sided differences from `here`, the prediction at u: enough for a step.
+    MatrixXd slopes(const VectorXd& u, const VectorXd& here) const {
+        MatrixXd j(static_cast<Index>(problem.size), u.size());
+        for (Index k = 0; k < u.size(); ++k) {
+            const Unknown& x = h.unknowns[static_cast<std::size_t>(k)];
+            const double h_step = u[k] + difference_step > highest(x) ? -difference_step : difference_step;
+            const int only = record_of(x);
+            VectorXd moved = u;
+            moved[k] += h_step;
+            VectorXd d = predict(moved, only) - here;
+            if (only >= 0) d = rows_of(only, d);
+            j.col(k) = whiten(d / h_step);
+        }
+        return j;
+    }
+    VectorXd rows_of(int record, const VectorXd& v) const {
+        VectorXd part = VectorXd::Zero(v.size());
+        for (const Channel& c : problem.records[static_cast<std::size_t>(record)].channels) {
+            const auto first = static_cast<Index>(c.first), n = static_cast<Index>(c.recorded.size());
+            part.segment(first, n) = v.segment(first, n);
+        }
+        return part;
+    }
     MatrixXd jacobian(const VectorXd& u) const {
         MatrixXd j(static_cast<Index>(problem.size), u.size());
         for (Index k = 0; k < u.size(); ++k) {
@@ -92,26 +115,26 @@ struct Solver {
     // Levenberg-Marquardt; unknowns at an end with a step beyond it are held.
     VectorXd solve(VectorXd u, int iterations) const {
         if (u.size() == 0) return u;
-        VectorXd z = white(predict(u));
+        VectorXd here = predict(u), z = white(here);
         double best = objective(z, u), damping = 1e-3;
         for (int n = 0; n < iterations; ++n) {
-            const MatrixXd j = weight.asDiagonal() * jacobian(u);
+            const MatrixXd j = weight.asDiagonal() * slopes(u, here);
             const MatrixXd normal = j.transpose() * j + prior_precision();
             const VectorXd gradient = j.transpose() * z.cwiseProduct(weight) - gradient_of_penalty(u);
             bool moved = false;
             double gained = 0.0;
             for (int tries = 0; tries < 8 && !moved; ++tries) {
                 const VectorXd trial = clipped(h.unknowns, u + step(normal, gradient, u, damping));
-                const VectorXd z_trial = white(predict(trial));
+                const VectorXd there = predict(trial), z_trial = white(there);
                 const double now = objective(z_trial, trial);
                 if (now < best) {
                     gained = best - now;
-                    u = trial, z = z_trial, best = now, damping = std::max(damping * 0.2, 1e-9), moved = true;
+                    u = trial, here = there, z = z_trial, best = now, damping = std::max(damping * 0.2, 1e-9), moved = true;
                 } else {
                     damping *= 6.0;
                 }
             }
-            if (!moved || gained < 1e-3 + 1e-7 * best) break;
+            if (!moved || gained < 0.01 + 1e-6 * best) break;
         }
         return u;
     }
