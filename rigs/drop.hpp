@@ -1,45 +1,34 @@
 // SPDX-License-Identifier: MIT
-// The rig `drop`: one grain released above a flat horizontal plate (docs/drop.md). Contacts run on dem_min; in the air the
-// grain is carried along its parabola in one go, so that a drop of seconds costs milliseconds.
+// The rig `drop` as the command line runs it: one grain released above a flat horizontal plate (docs/drop.md).
 #pragma once
 
 #include "cases/case.hpp"
-#include "rigs/physics.hpp"
+#include "rigs/drop_path.hpp"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace rigs {
 
-struct DropConditions {
-    double height;            // m, of the lowest point
-    double speed;             // m/s, downward
-    double horizontal_speed;  // m/s, along x
-    double spin;              // rad/s, > 0 where it would roll along +x
-    double release_time;      // s: until then the grain is held
-};
-
 // From an experiment of the rig `drop`; all but the height 0 where left out. Throws scaling::InvalidInput.
-DropConditions drop_conditions(const cases::Experiment&);
+DropConditions drop_conditions(const Stated&, const World&);
 
 struct DropSetup {
     DropConditions conditions;
-    double radius, density;  // m, kg/m^3
-    double gravity;          // m/s^2, along -z; 0 where the model has none
-    ContactParameters plate;
-    double steps_per_impact = 400.0;  // of a Hertz impact at the speed of each touch
+    OneGrain grain;
+    std::optional<cases::Numerics> numerics;  // of the user's run; without: as exact as need be
 };
 
-// `restitution`, `work_of_adhesion` and the frictions of the model hold at the plate. Throws scaling::InvalidInput where the
-// model holds physics other than gravity, hertz_mindlin, hertz_coulomb, adhesion and rolling_resistance.
+// Throws scaling::InvalidInput where the model holds physics that a single grain on a plate does not show.
 DropSetup drop_setup(const cases::Case&, const cases::Experiment&);
 
 struct DropRecord {
     std::vector<double> t, z, x;  // s, m, m; z of the lowest point, x from the place of release
-    bool settled = false;         // lies still, or rolls steadily
+    bool settled = false;         // lies still, slides or rolls: does not leave the plate again
     double settled_at = 0.0;      // s
     int impacts = 0;
-    std::int64_t steps = 0;  // of dem_min
+    std::int64_t steps = 0;  // of fixed length, where the numerics ask for them
 };
 
 // At the given times, which must not fall. Throws scaling::InvalidParameter otherwise.

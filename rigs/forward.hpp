@@ -64,6 +64,11 @@ std::unique_ptr<ForwardModel> forward_model(const cases::Experiment&);
 // Where the recording has its rows. Throws scaling::InvalidInput where there is none.
 Ordinates recorded_ordinates(const cases::Experiment&);
 
+// What the user simulates: physics, parameter values and numerics of the model, with `drag_coefficient` turned into the
+// `drag_factor` that makes it the curve's value at the fastest speed which the experiments reach at their simulated, else
+// recorded, times.
+World world_of(const cases::Case&, const cases::Experiment&);
+
 // `drag_coefficient` is told at the fastest recorded speed, the law wants a factor on the curve: their quotient, Cd(Re) of
 // docs/effects.md. `speed` in m/s, > 0.
 double drag_curve(const cases::Experiment&, double speed);

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "rigs/drop_path.hpp"
+
+#include "rigs/flight.hpp"
+#include "rigs/one_contact.hpp"
+#include "rigs/stepped_drop.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rigs {
+namespace {
+
+// Below this rebound the bounces that are left last no time and reach no height: a millionth of sqrt(2 g R).
+double slowest_bounce(const DropWorld& world) {
+    return 1e-6 * std::sqrt(2.0 * std::max(0.0, world.grip()) * world.grain->radius);
+}
+
+enum class After { flies, stays };
+
+After bounce(const DropWorld& world, OneContact& contact, DropState& s, DropRows& out) {
+    const OneGrain& g = *world.grain;
+    const bool moving = g.vibration.amplitude > 0.0;
+    const double plate_speed = moving ? g.vibration.velocity(s.t) : 0.0;
+    const double normal = std::max(0.0, plate_speed - s.vz);
+    ++out.path.impacts;
+    s.impact_speed = normal, s.bridged = g.attraction.bridge > 0.0;
+    const Rebound r = contact.touch({normal, s.vx, s.w});
+    const DropState start = s;
+    const auto within = [&](double since) {
+        DropState p = start;
+        const double share = r.duration > 0.0 ? since / r.duration : 1.0;
+        p.t += since, p.z += plate_speed * since + contact.height(since);
+        p.vx += share * (r.v - start.vx), p.w += share * (r.w - start.w);
+        p.x += 0.5 * (start.vx + p.vx) * since;
+        p.vz = plate_speed - normal + share * (r.normal + normal);
+        return p;
+    };
+    while (!out.done() && out.rows.time() < start.t + r.duration)
+        out.add(within(out.rows.time() - start.t));
+    s.t += r.duration, s.x += 0.5 * (start.vx + r.v) * r.duration;
+    s.z += plate_speed * r.duration + r.gap;
+    s.vx = r.v, s.w = r.w, s.vz = plate_speed + r.normal;
+    if (moving) s.z = g.vibration.height(s.t) + r.gap;
+    const bool held = world.grip() > 0.0 && r.normal <= slowest_bounce(world);
+    return r.stays || held ? After::stays : After::flies;
+}
+
+}  // namespace
+
+double DropState::speed() const { return std::sqrt(vx * vx + vz * vz); }
+
+double DropWorld::into() const { return grain->gravity * std::cos(grain->tilt_angle); }
+
+double DropWorld::along() const {
+    return grain->gravity * std::sin(grain->tilt_angle) * std::cos(grain->tilt_azimuth);
+}
+
+bool DropWorld::ballistic() const {
+    return grain->drag.factor == 0.0 && grain->attraction.none() && missing == nullptr;
+}
+
+double DropWorld::lift(const DropState& s, double gap) const {
+    double force = grain->attraction.none() ? 0.0 : -grain->attraction.across(gap, s.bridged);
+    if (missing != nullptr) {
+        const std::string& name = missing->variable;
+        const double at = name == "t"       ? s.t
+                          : name == "z"     ? s.z
+                          : name == "speed" ? s.speed()
+                                            : s.impact_speed;
+        force += newtons_at(*missing, at);
+    }
+    return force;
+}
+
+double DropWorld::holding() const { return into() + grain->attraction.in_contact() / grain->mass; }
+
+double DropWorld::grip() const { return into() + grain->attraction.across(0.0, true) / grain->mass; }
+
+DropPath follow_drop(const DropWorld& world, const DropConditions& c,
+                     const std::vector<double>& times) {
+    DropPath path;
+    path.states.reserve(times.size());
+    if (times.empty()) return path;
+    DropRows out{{times}, path};
+    DropState s{0.0, 0.0, c.height, c.horizontal_speed, -c.speed, world.grain->radius * c.spin};
+    DropState held = s;
+    held.vx = held.vz = held.w = 0.0;
+    while (!out.done() && out.rows.time() < c.release_time) held.t = out.rows.time(), out.add(held);
+    s.t = c.release_time;
+    if (world.numerics != nullptr && world.numerics->time_step) {
+        step_drop(world, s, out);
+        return path;
+    }
+    OneContact contact(*world.grain);
+    while (!out.done()) {
+        if (!fly(world, s, out)) break;
+        if (bounce(world, contact, s, out) != After::stays) continue;
+        if (!path.settled) path.settled = true, path.settled_at = s.t;
+        const double before = s.t;
+        stay(world, s, out);
+        if (out.done()) break;
+        path.settled = false;
+        if (s.t == before)
+            s.vz += 1e-9 * world.grain->vibration.amplitude * world.grain->vibration.omega;
+    }
+    return path;
+}
+
+}  // namespace rigs

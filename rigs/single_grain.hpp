@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The forward models of the four rigs with a single grain; one source file each. Docs: drop.md, incline.md, impact.md,
+// pull-off.md. All in SI.
+#pragma once
+
+#include "rigs/forward.hpp"
+#include "rigs/one_grain.hpp"
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace rigs {
+
+std::unique_ptr<ForwardModel> drop_model(const cases::Experiment&);
+std::set<std::string> drop_effects();  // the gravity and contact laws among them
+std::unique_ptr<ForwardModel> incline_model(const cases::Experiment&);
+std::unique_ptr<ForwardModel> impact_model(const cases::Experiment&);
+std::unique_ptr<ForwardModel> pull_off_model(const cases::Experiment&);
+
+// Ordinates in rising order without those that are no number, and where each came from: a rig runs through time only once.
+struct InOrder {
+    explicit InOrder(const std::vector<double>& at);
+    std::vector<double> at;
+    std::vector<std::size_t> from;
+};
+
+}  // namespace rigs
