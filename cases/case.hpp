@@ -71,6 +71,12 @@ struct Model {
     double wall_value_or(const std::string& name, double otherwise) const;
 };
 
+// A file that the case names.
+struct StatedFile {
+    Value name;        // as written, with its place in the input
+    std::string path;  // it stands relative to case.json
+};
+
 struct Experiment {
     std::string id;
     std::string rig;
@@ -84,6 +90,8 @@ struct Experiment {
     std::optional<Recording> simulated;   // the user's own run, same channels
     std::map<std::string, double> noise;  // channel -> standard deviation, SI
     bool held_out = false;                // role
+    // Where the two stand, also while they are sealed (cases/read_case.hpp); empty where none is named.
+    std::optional<StatedFile> recording_file, simulated_file;
 };
 
 struct Scaling {

@@ -25,8 +25,7 @@ struct Recording {
 };
 
 // Reads the channels of `rig` (cases/rig_table.hpp). Accepts a UTF-8 byte-order mark, CRLF,
-// quotes, columns in any order. An empty cell is NaN, a row without any value is left out; "nan" as
-// written is refused. Throws scaling::InvalidInput for a file that is missing or empty, a column
+// quotes, columns in any order. An empty cell and "nan" are NaN, a row without any value is left out. Throws scaling::InvalidInput for a file that is missing or empty, a column
 // that the rig does not have, a unit of another dimension, a cell that is no number, a row that is
 // too long or too short, and channels that are missing. A force may be in volts of a photodiode where
 // `newtons_per_volt` (deflection sensitivity x stiffness of the cantilever, > 0) is stated; 0: it is not.

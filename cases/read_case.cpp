@@ -30,7 +30,7 @@ Value empty_object(const std::string& where) {
 
 }  // namespace
 
-Case read_case(const std::string& path) {
+Case read_case(const std::string& path, HeldOut held_out) {
     Case read;
     read.path = std::filesystem::is_directory(path)
                     ? (std::filesystem::path(path) / "case.json").string()
@@ -75,9 +75,15 @@ Case read_case(const std::string& path) {
         Experiment experiment = read_experiment(entry, shared, read.model);
         if (read.find(experiment.id) != nullptr)
             refuse(entry.at("id"), "must not be used twice", "rename one");
+        if (!experiment.held_out || held_out == HeldOut::opened) read_recordings(experiment);
         read.experiments.push_back(std::move(experiment));
     }
     return read;
+}
+
+void open_held_out(Case& sealed) {
+    for (Experiment& experiment : sealed.experiments)
+        if (experiment.held_out) read_recordings(experiment);
 }
 
 const Experiment* Case::find(const std::string& id) const {

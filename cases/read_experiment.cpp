@@ -44,16 +44,21 @@ double newtons_per_volt(const Value& conditions) {
            checked_pair(conditions.at("cantilever_stiffness"), "N/m", Domain::positive).value;
 }
 
-std::optional<Recording> recording_of(const Value& experiment, const std::string& key,
-                                      const std::string& folder, const RigRule& rig) {
+std::optional<StatedFile> file_of(const Value& experiment, const std::string& key,
+                                  const std::string& folder) {
     if (!experiment.has(key)) return std::nullopt;
     const Value& name = experiment.at(key);
-    const std::filesystem::path path = std::filesystem::path(folder) / name.text();
-    if (!std::filesystem::is_regular_file(path)) {
-        refuse(name, "must be a file beside case.json",
-               "no file " + path.string() + "; check its name");
+    return StatedFile{name, (std::filesystem::path(folder) / name.text()).string()};
+}
+
+void read_once(std::optional<Recording>& recording, const std::optional<StatedFile>& file,
+               const std::string& rig, double volts) {
+    if (recording || !file) return;
+    if (!std::filesystem::is_regular_file(file->path)) {
+        refuse(file->name, "must be a file beside case.json",
+               "no file " + file->path + "; check its name");
     }
-    return read_recording(path.string(), rig.name, newtons_per_volt(experiment.at("conditions")));
+    recording = read_recording(file->path, rig, volts);
 }
 
 // The condition `mesh`: one, or a list.
@@ -137,17 +142,23 @@ Experiment read_experiment(const Value& experiment, const Shared& shared, const 
         read_surroundings(with_overrides(experiment, "surroundings", shared.surroundings));
     check_surroundings(experiment, read.surroundings, model);
     read.meshes = meshes_of(read.conditions, shared.folder);
-    read.recording = recording_of(experiment, "recording", shared.folder, rig);
-    read.simulated = recording_of(experiment, "simulated", shared.folder, rig);
+    read.recording_file = file_of(experiment, "recording", shared.folder);
+    read.simulated_file = file_of(experiment, "simulated", shared.folder);
     if (experiment.has("noise")) read.noise = read_noise(experiment.at("noise"), rig);
     if (experiment.has("role"))
         read.held_out = checked_word(experiment.at("role"), {"fit", "held_out"}) == "held_out";
-    if (read.recording && read.recording->has("angle_of_repose") &&
-        !read.recording->has("estimator") && !read.conditions.has("estimator")) {
-        refuse(experiment.at("recording"), "must say how the angle of repose was taken",
+    return read;
+}
+
+void read_recordings(Experiment& e) {
+    const double volts = newtons_per_volt(e.conditions);
+    read_once(e.recording, e.recording_file, e.rig, volts);
+    read_once(e.simulated, e.simulated_file, e.rig, volts);
+    if (e.recording && e.recording->has("angle_of_repose") && !e.recording->has("estimator") &&
+        !e.conditions.has("estimator")) {
+        refuse(e.recording_file->name, "must say how the angle of repose was taken",
                "add a column estimator, or the condition \"estimator\"");
     }
-    return read;
 }
 
 }  // namespace cases

@@ -13,7 +13,10 @@ struct Shared {
     std::string folder;                // recordings stand relative to it
 };
 
-// One entry of `experiments`, with its recordings. Throws scaling::InvalidInput.
+// One entry of `experiments`, without its recordings. Throws scaling::InvalidInput.
 Experiment read_experiment(const Value& experiment, const Shared&, const Model&);
+
+// The recordings that it names and that have not been read yet. Throws scaling::InvalidInput.
+void read_recordings(Experiment&);
 
 }  // namespace cases

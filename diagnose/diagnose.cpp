@@ -357,21 +357,6 @@ void decide(Judge& j) {
 
 }  // namespace
 
-const char* to_string(Answer a) {
-    switch (a) {
-        case Answer::consistent: return "consistent";
-        case Answer::explained: return "explained";
-        case Answer::ambiguous: return "ambiguous";
-        case Answer::unexplained: return "unexplained";
-        case Answer::undecided: return "undecided";
-    }
-    return "";
-}
-
-const char* to_string(GateResult r) {
-    return r == GateResult::passed ? "passed" : r == GateResult::failed ? "failed" : "untestable";
-}
-
 Verdict diagnose(const cases::Case& given, const Settings& settings, const std::function<void(cases::Case&)>& open_held_out) {
     Judge j(given, settings);
     Verdict& v = j.verdict;
@@ -406,9 +391,6 @@ Verdict diagnose(const cases::Case& given, const Settings& settings, const std::
         for (const Candidate& c : j.singles) order.push_back(&c);
         std::stable_sort(order.begin(), order.end(), [](const Candidate* a, const Candidate* b) { return a->log_evidence > b->log_evidence; });
         for (std::size_t k = 0; k < std::min<std::size_t>(2, order.size()); ++k) best_own = std::max(best_own, j.own_p(*order[k], 399));
-        if (getenv("DEBUG"))
-            for (const Candidate* c : order) fmt::print(stderr, "  {} {} chi2 {:.1f} logZ {:.2f} own {:.3f}\n", c->name(), c->h.terms[0]->channel, c->fit.chi_squared, c->log_evidence, c == order[0] || c == order[1] ? j.own_p(*c, 399) : -1.0);
-        if (getenv("DEBUG")) fmt::print(stderr, "  base chi2 {:.1f} logZ {:.2f} rows {} rho {:.2f}\n", j.base.fit.chi_squared, j.base.log_evidence, j.whiten->rows(), j.noise[0][0].correlation);
         if (best_own < 0.02) {
             j.report(0.55, "pairs of effects");
             j.pairs = pairs_of(j.problem, *j.whiten, j.singles, 4, 10, settings.threads);
