@@ -190,8 +190,9 @@ std::vector<std::string> limits_of(const diagnose::Verdict& v) {
             "Consistent means that nothing shows above this noise, not that nothing is missing.");
     if (!v.held_out)
         limits.emplace_back(
-            "Nothing was held out, so that no prediction was put to the test of a recording that "
-            "took no part.");
+            "No recording that took no part in the fit was predicted, so that nothing was put to "
+            "that "
+            "test.");
     return limits;
 }
 

@@ -194,7 +194,7 @@ data diagnosis_part(const diagnose::Verdict& v) {
     data d, located{data::type::list};
     for (const diagnose::Located& l : v.located) located << located_data(l);
     set_list(d, "located", std::move(located));
-    d["p_value"] = chance_in_words(v.p_value);
+    d["p_value"] = optional_text(std::isfinite(v.p_value) ? chance_in_words(v.p_value) : "");
     set_list(d, "curves", curves_data(v));
     set_list(d, "hypotheses", hypotheses_data(v.hypotheses));
     set_list(d, "effects", effects_data(v));

@@ -175,7 +175,8 @@ std::string x_axis(const Frame& f, const std::string& label) {
 std::string y_axis(const Frame& f, const std::string& label) {
     std::string out;
     for (const double v :
-         ticks(f.y.low, f.y.high, std::max(3, static_cast<int>(f.height / 45.0)))) {
+         ticks(f.y.low, f.y.high,
+               std::max(f.height > 150.0 ? 5 : 3, static_cast<int>(f.height / 45.0)))) {
         out += fmt::format(
             "<path class=\"grid\" d=\"M{:.1f} {:.1f}H{:.1f}\" stroke-opacity=\"0.15\"/>\n", left,
             f.py(v), left + f.width);

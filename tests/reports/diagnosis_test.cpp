@@ -194,6 +194,7 @@ TEST_CASE("verdict as a page: well-formed, in the order of reading, no text beco
         CHECK(fault_in_markup(other) == "");
         CHECK(times_in(other, ">nan") == 0);
     }
+    CHECK(times_in(page_of(undecided_verdict()), "No test was made.") == 1);
 }
 
 TEST_CASE("figures: a located interval is marked over its own ordinate, else said in words",
