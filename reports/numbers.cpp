@@ -150,7 +150,9 @@ std::string quantity(double value, const std::string& si_unit) {
                        " " + unit;
         }
     }
-    if (si_unit == "deg") return number(value) + " deg";  // takes no prefix, and has an e in it
+    // Takes no prefix, and has an e in it that is no exponent.
+    if (si_unit == "deg") return number(value) + " deg";
+    if (si_unit == "rad") return number(value * 180.0 / std::numbers::pi) + " deg";
     return short_exponent(cases::format_si(four_digits(value), si_unit));
 }
 

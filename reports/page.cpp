@@ -93,6 +93,12 @@ data sections_data(const Page& page) {
                {"groups", "groups"},
                {"adhesion", "adhesion"},
                {"cost", "cost"}};
+    if (page.diagnosis)
+        all = {{"where", "where"},
+               {"hypotheses", "hypotheses"},
+               {"effects", "effects"},
+               {"numbers", "parameters and errors"},
+               {"next", "what next"}};
     const bool heaps = page.verification && page.verification->similarity;
     if (!runs_of(page).empty()) all.emplace_back("runs", heaps ? "heaps" : "runs");
     if (has_checks(page)) all.emplace_back("checks", "checks");
@@ -192,6 +198,8 @@ std::string html(const Page& page) {
     d["verdict_why"] = typeset(page.verdict.why);
     d["sections"] = sections_data(page);
     d["scale"] = page.study ? scale_part(*page.study, page.beside) : data(data::type::bool_false);
+    d["diagnosis"] =
+        page.diagnosis ? diagnosis_part(*page.diagnosis) : data(data::type::bool_false);
     set_runs(d, page);
     set_checks(d, page);
     data limits{data::type::list};

@@ -3,6 +3,7 @@
 // Verdict first; a section whose part is empty is left out.
 #pragma once
 
+#include "diagnose/verdict.hpp"
 #include "reports/checks.hpp"
 #include "reports/provenance.hpp"
 #include "reports/runs.hpp"
@@ -24,6 +25,7 @@ struct Page {
     std::optional<Verification>
         verification{};  // its comparisons become sections, after those of `runs`
     std::vector<RunSection> runs{};
+    std::optional<diagnose::Verdict> diagnosis{};
     std::string checks_heading = "Exact answers";
     std::vector<std::string> limits{};  // what the result does not show, a sentence each
     Provenance provenance{};

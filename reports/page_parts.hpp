@@ -26,6 +26,9 @@ const char* class_of(Answer);
 // are shown along.
 data scale_part(const scaling::ScaleStudy&, const std::optional<scaling::ScaleStudy>& beside);
 
+// Where, hypotheses, effects with their gates, parameters, errors, what would change it, what next.
+data diagnosis_part(const diagnose::Verdict&);
+
 data runs_part(const std::vector<RunSection>&);
 
 data checks_part(const std::vector<verify::Check>&);  // by group, in the order of first appearance

@@ -16,7 +16,7 @@ namespace reports {
 namespace {
 
 constexpr double page_width = 720.0, left = 64.0, right = 18.0, bottom = 52.0;  // user units
-constexpr double tallest = 430.0, usual = 320.0, character = 7.2, legend_line = 22.0;
+constexpr double tallest = 430.0, character = 7.2, legend_line = 22.0;
 
 struct Style {
     const char *colour, *dash;
@@ -81,6 +81,27 @@ std::string marker(double x, double y, int k) {
     }
 }
 
+// A marker of a few units as a piece of a path: dot, cross, plus, square.
+std::string fine_marker(double x, double y, int k) {
+    switch (k % 4) {
+        case 0:
+            return point('M', x, y) + "h0";
+        case 1:
+            return point('M', x - 2.0, y - 2.0) + "l4 4m0 -4l-4 4";
+        case 2:
+            return point('M', x - 2.4, y) + "h4.8m-2.4 -2.4v4.8";
+        default:
+            return point('M', x - 1.8, y - 1.8) + "h3.6v3.6h-3.6z";
+    }
+}
+
+std::string fine_path(const std::string& pieces, int k) {
+    return fmt::format(
+        "<path class=\"s{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" "
+        "stroke-linecap=\"round\" d=\"{}\"/>\n",
+        k % 4, style(k).colour, k % 4 == 0 ? 3.6 : 1.1, pieces);
+}
+
 std::string curve_path(const Curve& curve, const Frame& f) {
     std::string d;
     bool down = false;
@@ -97,6 +118,12 @@ std::string curve_path(const Curve& curve, const Frame& f) {
 
 std::string markers(const Curve& curve, const Frame& f) {
     std::string out;
+    if (curve.fine) {
+        for (std::size_t k = 0; k < std::min(curve.x.size(), curve.y.size()); ++k)
+            if (std::isfinite(curve.x[k]) && std::isfinite(curve.y[k]))
+                out += fine_marker(f.px(curve.x[k]), f.py(curve.y[k]), curve.style);
+        return fine_path(out, curve.style);
+    }
     for (std::size_t k = 0; k < std::min(curve.x.size(), curve.y.size()); ++k)
         if (std::isfinite(curve.x[k]) && std::isfinite(curve.y[k]))
             out += marker(f.px(curve.x[k]), f.py(curve.y[k]), curve.style) + "\n";
@@ -114,6 +141,17 @@ std::string band_path(const Band& band, const Frame& f) {
     return fmt::format(
         "<path class=\"b{}\" fill=\"{}\" fill-opacity=\"0.18\" stroke=\"none\" d=\"{}{}Z\"/>\n",
         band.style % 4, style(band.style).colour, forth, back);
+}
+
+std::string span_rectangle(const Span& span, const Frame& f) {
+    const double from = std::clamp(f.px(std::min(span.from, span.to)), left, left + f.width);
+    const double to = std::clamp(f.px(std::max(span.from, span.to)), left, left + f.width);
+    if (!(to > from)) return "";
+    return fmt::format(
+        "<rect class=\"b{0}\" x=\"{1:.1f}\" y=\"{2:.1f}\" width=\"{3:.1f}\" height=\"{4:.1f}\" "
+        "fill=\"{5}\" fill-opacity=\"0.16\"/><path class=\"s{0}\" stroke=\"{5}\" "
+        "stroke-dasharray=\"2 2\" d=\"M{1:.1f} {2:.1f}v{4:.1f}m{3:.1f} 0v-{4:.1f}\"/>\n",
+        span.style % 4, from, f.top, to - from, f.height, style(span.style).colour);
 }
 
 std::string text_at(double x, double y, const char* anchor, const std::string& text,
@@ -137,7 +175,8 @@ std::string x_axis(const Frame& f, const std::string& label) {
 std::string y_axis(const Frame& f, const std::string& label) {
     std::string out;
     for (const double v :
-         ticks(f.y.low, f.y.high, std::max(3, static_cast<int>(f.height / 45.0)))) {
+         ticks(f.y.low, f.y.high,
+               std::max(f.height > 150.0 ? 5 : 3, static_cast<int>(f.height / 45.0)))) {
         out += fmt::format(
             "<path class=\"grid\" d=\"M{:.1f} {:.1f}H{:.1f}\" stroke-opacity=\"0.15\"/>\n", left,
             f.py(v), left + f.width);
@@ -157,20 +196,27 @@ std::string box(const Frame& f) {
 struct Entry {
     std::string label;
     int style;
-    bool line, band, marked;
+    bool line, band, marked, fine = false;
 };
 
 std::vector<Entry> entries(const Plot& plot) {
     std::vector<Entry> all;
     for (const Curve& c : plot.curves)
-        if (!c.label.empty()) all.push_back({c.label, c.style, !c.marked, false, c.marked});
+        if (!c.label.empty()) all.push_back({c.label, c.style, !c.marked, false, c.marked, c.fine});
     for (const Band& b : plot.bands)
         if (!b.label.empty()) all.push_back({b.label, b.style, false, true, false});
+    for (const Span& s : plot.spans)
+        if (!s.label.empty()) all.push_back({s.label, s.style, false, true, false});
     return all;
 }
 
 std::string swatch(const Entry& e, double x, double y) {
     const Style& s = style(e.style);
+    if (e.fine) {
+        std::string three;
+        for (const double dx : {6.0, 14.0, 22.0}) three += fine_marker(x + dx, y, e.style);
+        return fine_path(three, e.style);
+    }
     if (e.marked) return marker(x + 14.0, y, e.style);
     if (e.band)
         return fmt::format(
@@ -223,7 +269,7 @@ Frame frame_of(const Plot& plot, double top) {
     Range x, y;
     for (const Curve& c : plot.curves) x.add(c.x), y.add(c.y);
     for (const Band& b : plot.bands) x.add(b.x), y.add(b.low), y.add(b.high);
-    Frame f{with_room(x), with_room(y), top, page_width - left - right, usual};
+    Frame f{with_room(x), with_room(y), top, page_width - left - right, plot.height};
     if (plot.x.range) f.x = {plot.x.range->first, plot.x.range->second};
     if (plot.y.range) f.y = {plot.y.range->first, plot.y.range->second};
     if (!plot.equal_scale) return f;
@@ -260,6 +306,7 @@ std::string svg(const Plot& plot, const std::string& id) {
     const Frame f = frame_of(plot, top);
     std::string out = opened(plot.title, plot.description, id, f.top + f.height + bottom) +
                       legend_text + x_axis(f, plot.x.label) + y_axis(f, plot.y.label);
+    for (const Span& span : plot.spans) out += span_rectangle(span, f);
     for (const Band& band : plot.bands) out += band_path(band, f);
     for (const Curve& curve : plot.curves)
         out += curve.marked ? markers(curve, f) : curve_path(curve, f);

@@ -24,11 +24,19 @@ struct Curve {
     int style = 0;           // 0 to 3: colour, dash and marker
     std::string label = {};  // empty: not in the legend
     bool marked = false;
+    bool fine = false;  // with `marked`: small markers, for hundreds of points
 };
 
 // The area between low and high. Shape of all: [points].
 struct Band {
     std::vector<double> x, low, high;
+    int style = 0;
+    std::string label = {};
+};
+
+// An interval of x, marked over the whole height; what lies outside the frame is not drawn.
+struct Span {
+    double from, to;
     int style = 0;
     std::string label = {};
 };
@@ -40,6 +48,8 @@ struct Plot {
     std::vector<Band> bands;
     std::vector<Curve> curves;
     bool equal_scale = false;  // one unit is as long on y as on x
+    std::vector<Span> spans = {};
+    double height = 320.0;  // of the frame, where the scales are not equal
 };
 
 // A whole <svg> element, 720 units wide. An empty plot is an empty string. `id` must be unique on

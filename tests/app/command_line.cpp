@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <fcntl.h>
 #include <fstream>
@@ -44,21 +45,18 @@ void redirect(const std::string& path, int descriptor) {
 
 }  // namespace
 
-Outcome similitude(const std::vector<std::string>& arguments, const std::vector<Signal>& signals) {
+Outcome in_child(const std::function<int()>& work, const std::vector<Signal>& signals) {
     const Folder folder;
-    std::vector<std::string> words = {SIMILITUDE_PROGRAM};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
     const std::string out = folder / "out", err = folder / "err";
+    std::fflush(nullptr);  // what waits to be written is not the child's to write
     const pid_t child = fork();
     REQUIRE(child >= 0);
     if (child == 0) {
         redirect(out, STDOUT_FILENO);
         redirect(err, STDERR_FILENO);
-        execv(argv[0], argv.data());
-        _exit(127);
+        const int code = work();
+        std::fflush(nullptr);
+        _exit(code);
     }
     for (const Signal& signal : signals) {
         std::this_thread::sleep_for(std::chrono::milliseconds(signal.after));
@@ -68,6 +66,19 @@ Outcome similitude(const std::vector<std::string>& arguments, const std::vector<
     waitpid(child, &status, 0);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 1000 + WTERMSIG(status), contents(out),
             contents(err)};
+}
+
+Outcome similitude(const std::vector<std::string>& arguments, const std::vector<Signal>& signals) {
+    std::vector<std::string> words = {SIMILITUDE_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    const auto become = [&argv] {
+        execv(argv[0], argv.data());
+        return 127;
+    };
+    return in_child(become, signals);
 }
 
 Outcome similitude(const std::vector<std::string>& arguments, int interrupt_after) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,9 @@ struct Signal {
     int after;  // ms since the one before, or since the start
     int number;
 };
+
+// What `work` returns and prints, done by a child of this process.
+Outcome in_child(const std::function<int()>& work, const std::vector<Signal>& signals = {});
 
 // Runs the program with these arguments, each as it is, without a shell, and sends it the signals.
 Outcome similitude(const std::vector<std::string>& arguments,

@@ -3,6 +3,7 @@
 
 #include <catch2/catch.hpp>
 
+#include <cmath>
 #include <limits>
 
 using namespace reports;
@@ -28,6 +29,7 @@ TEST_CASE("numbers: quantities take the prefix that people use", "[reports][numb
     CHECK(quantity(1.2e-6, "m") == "1.2 um");
     CHECK(quantity(85.714285e6, "Pa") == "85.71 MPa");
     CHECK(quantity(0.38, "J/m^2") == "0.38 J/m^2");
+    CHECK(quantity(std::acos(-1.0) / 180.0, "rad") == "1 deg");  // the e of deg is no exponent
     CHECK(quantity(270.2, "1") == "270.2");
 }
 

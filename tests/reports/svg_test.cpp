@@ -80,3 +80,31 @@ TEST_CASE("svg: an interval shows every repeat behind it", "[reports][svg]") {
     CHECK(fault_in_markup(text) == "");
     CHECK(times_in(text, "stroke-opacity=\"0.6\"") == 5);
 }
+
+TEST_CASE("svg: a marked interval ends at the frame, and one outside of it is not drawn",
+          "[reports][svg]") {
+    Plot plot = line({0, 1, 2}, {0, 1, 4});
+    plot.x.range = {0.0, 2.0};
+    plot.spans = {{1.0, 9.0, 3, "where"}};
+    const std::string text = svg(plot, "span");
+    CHECK(fault_in_markup(text) == "");
+    CHECK(times_in(text, "where</text>") == 1);
+    // The frame is 720 - 64 - 18 = 638 wide and begins at 64: from its middle, 383, to its end.
+    CHECK(times_in(text, "<rect class=\"b3\" x=\"383.0\"") == 1);
+    CHECK(times_in(text, "width=\"319.0\"") == 1);
+    plot.spans = {{3.0, 9.0, 3, ""}};
+    CHECK(times_in(svg(plot, "span"), "class=\"b3\"") == 0);
+}
+
+TEST_CASE("svg: hundreds of points are one path, in shapes that differ without colour",
+          "[reports][svg]") {
+    Plot plot = line({0, 1, 2}, {0, 1, 4});
+    plot.curves[0].marked = plot.curves[0].fine = true;
+    plot.curves.push_back(plot.curves[0]);
+    plot.curves[1].style = 2;
+    const std::string text = svg(plot, "fine");
+    CHECK(fault_in_markup(text) == "");
+    CHECK(times_in(text, "stroke-linecap=\"round\"") == 4);  // each curve, and each in the legend
+    CHECK(times_in(text, "l4 4m0 -4l-4 4") == 6);            // 3 points and 3 in the legend
+    CHECK(times_in(text, "h4.8m-2.4 -2.4v4.8") == 6);
+}

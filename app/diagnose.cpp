@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "app/diagnose.hpp"
+
+#include "app/exit_code.hpp"
+#include "app/interrupt.hpp"
+#include "app/predictions.hpp"
+#include "app/progress.hpp"
+#include "cases/read_case.hpp"
+#include "reports/diagnosis.hpp"
+#include "reports/diagnosis_json.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+namespace app {
+
+namespace {
+
+struct DiagnoseOptions {
+    CommonOptions common;
+    std::string path, predict;
+    double alpha = diagnose::Settings{}.alpha;
+};
+
+constexpr const char* examples = R"(Examples:
+  similitude diagnose my-drops --report out/my-drops.html
+      what the simulation of my-drops/case.json lacks, with figures
+  similitude diagnose my-drops --json - --predict out/my-drops --seed 2
+      the verdict for programs, and the predicted curves of every experiment as CSV)";
+
+int exit_code_of(diagnose::Answer answer) {
+    switch (reports::answer_of(answer)) {
+        case reports::Answer::yes:
+            return fine;
+        case reports::Answer::no:
+            return answer_is_no;
+        case reports::Answer::cannot_tell:
+        case reports::Answer::outside_validity:
+            return cannot_tell;
+    }
+    return internal_fault;
+}
+
+// Empty where a signal came first.
+std::optional<diagnose::Verdict> judged(const cases::Case& c, const DiagnoseOptions& o,
+                                        const Judge& judge) {
+    Progress progress(!o.common.quiet);
+    diagnose::Settings settings{
+        .seed = o.common.seed, .threads = threads_of(o.common), .alpha = o.alpha};
+    settings.progress = [&progress](double share, const std::string& what) {
+        progress.show(share, 1.0, what);
+        return !interrupt_flag();
+    };
+    try {
+        return judge(c, settings, cases::open_held_out);
+    } catch (const diagnose::Interrupted&) {
+        return std::nullopt;
+    }
+}
+
+reports::Page page_of(const cases::Case& c, const diagnose::Verdict& v,
+                      const reports::Provenance& who) {
+    return {.title = c.title,
+            .source = c.source,
+            .verdict = reports::verdict_of(v),
+            .diagnosis = v,
+            .limits = reports::limits_of(v),
+            .provenance = who};
+}
+
+int run(const DiagnoseOptions& o, const std::string& command, const Judge& judge) {
+    const cases::Case c = cases::read_case(o.path, cases::HeldOut::sealed);
+    if (!o.predict.empty()) make_folder(o.predict);  // a minute of work must not end at a bad name
+    watch_interrupts();
+    const std::optional<diagnose::Verdict> v = judged(c, o, judge);
+    if (!v) {
+        fmt::print(stderr,
+                   "similitude: interrupted; a diagnosis starts anew when it is asked for again\n");
+        return interrupted;
+    }
+    reports::Provenance who = provenance(command, c.path);
+    who.seeds = {o.common.seed};
+    who.threads = threads_of(o.common);
+    print(o.common, (c.title.empty() ? "" : c.title + "\n") + reports::text_of(*v));
+    if (!o.predict.empty()) write_predictions(o.predict, v->curves);
+    write_results(o.common, reports::to_json(*v, who), [&] { return page_of(c, *v, who); });
+    return exit_code_of(v->answer);
+}
+
+}  // namespace
+
+Verb diagnose_verb(CLI::App& app, const std::string& command, const Judge& judge) {
+    const auto options = std::make_shared<DiagnoseOptions>();
+    CLI::App* verb = app.add_subcommand(
+        "diagnose", "where a simulation and its recordings differ, and which physics was left out");
+    verb->add_option("CASE", options->path, "case.json or its folder")->required();
+    verb->add_option("--predict", options->predict,
+                     "write the predicted curves of every experiment as CSV into this folder")
+        ->type_name("DIR");
+    verb->add_option("--alpha", options->alpha, "chance of calling a mismatch where there is none")
+        ->check(CLI::Range(1e-4, 0.5))
+        ->capture_default_str();
+    add_common(*verb, options->common);
+    verb->footer(examples);
+    return {verb, [options, command, judge] { return run(*options, command, judge); }};
+}
+
+}  // namespace app
