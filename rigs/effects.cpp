@@ -49,6 +49,15 @@ double Attraction::across(double gap, bool bridged) const {
     return force;
 }
 
+double Attraction::steepness(double gap, bool bridged) const {
+    double slope = 0.0;
+    if (hamaker_r > 0.0 && gap >= contact_gap) slope += hamaker_r / (3.0 * gap * gap * gap);
+    if (charge_term != 0.0) slope += 2.0 * charge_term / std::pow(charge_distance + gap, 3);
+    if (bridged && bridge > 0.0 && gap < rupture)
+        slope += bridge * bridge_area / std::pow(gap * gap + bridge_area, 1.5);
+    return slope;
+}
+
 double Attraction::in_contact() const {
     return bridge + charge_term / (charge_distance * charge_distance);
 }

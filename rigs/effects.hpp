@@ -33,7 +33,9 @@ struct Attraction {
 
     bool none() const { return hamaker_r == 0.0 && bridge == 0.0 && charge_term == 0.0; }
     double across(double gap, bool bridged) const;  // N, > 0 towards it; gap >= 0
-    double in_contact() const;                      // N: closed bridge and charge, no van der Waals
+    // N/m: by how much the pull falls with the gap; >= 0 but for charges that repel.
+    double steepness(double gap, bool bridged) const;
+    double in_contact() const;  // N: closed bridge and charge, no van der Waals
 };
 
 struct Friction {

@@ -45,6 +45,9 @@ double fastest(const cases::Experiment& e, const World& world) {
 
 std::unique_ptr<ForwardModel> forward_model(const cases::Experiment& e) {
     if (e.rig == "drop") return drop_model(e);
+    if (e.rig == "incline") return incline_model(e);
+    if (e.rig == "impact") return impact_model(e);
+    if (e.rig == "pull_off") return pull_off_model(e);
     throw InvalidInput(mistake("experiment \"" + e.id + "\"", "rig \"" + e.rig + "\"",
                                "must be drop, incline, impact or pull_off",
                                "no other rig has a forward model of a single grain"));

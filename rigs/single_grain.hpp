@@ -13,10 +13,15 @@
 namespace rigs {
 
 std::unique_ptr<ForwardModel> drop_model(const cases::Experiment&);
-std::set<std::string> drop_effects();  // the gravity and contact laws among them
 std::unique_ptr<ForwardModel> incline_model(const cases::Experiment&);
 std::unique_ptr<ForwardModel> impact_model(const cases::Experiment&);
 std::unique_ptr<ForwardModel> pull_off_model(const cases::Experiment&);
+
+// What can show in the channels of each, gravity and the contact laws among them.
+std::set<std::string> drop_effects();
+std::set<std::string> incline_effects();
+std::set<std::string> impact_effects();
+std::set<std::string> pull_off_effects();
 
 // Ordinates in rising order without those that are no number, and where each came from: a rig runs through time only once.
 struct InOrder {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "cases/read_case.hpp"
 
+#include "cases/rig_table.hpp"
 #include "sample_case.hpp"
 #include "scaling/errors.hpp"
 #include "temporary_case.hpp"
@@ -188,4 +189,24 @@ TEST_CASE("the zirconia case holds the numbers of the paper", "[cases][read]") {
     CHECK(c.stated.counts.time_step->value() == 7.78e-7);
     CHECK(c.stated.counts.wall_time->value() == 21600.0);
     CHECK(c.stated.counts.heap->packing_fraction == Approx(2050.0 / 5600.0).epsilon(1e-15));
+}
+
+TEST_CASE("a force curve may say where the drive touches, with an uncertainty", "[cases][read]") {
+    const auto text = [](const std::string& written) {
+        return cases::Value{.where = "case.json: conditions",
+                            .kind = cases::Value::Kind::text,
+                            .written_text = written};
+    };
+    cases::Value conditions{.where = "case.json: conditions"};
+    conditions.members = {{"counterpart", text("plate")},
+                          {"preload", text("1 nN")},
+                          {"contact_displacement", text("-2 um")}};
+    const cases::RigRule& rig = cases::rig_rule("pull_off");
+    CHECK_NOTHROW(cases::check_conditions(rig, conditions));
+    cases::Value pair{.where = "case.json: conditions"};
+    pair.members = {{"value", text("-2 um")}, {"uncertainty", text("1 um")}};
+    conditions.members.back().second = pair;
+    CHECK_NOTHROW(cases::check_conditions(rig, conditions));
+    conditions.members.back().second = text("2 N");
+    CHECK_THROWS_AS(cases::check_conditions(rig, conditions), scaling::InvalidInput);
 }
