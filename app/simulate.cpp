@@ -15,6 +15,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -59,6 +60,24 @@ std::vector<const Experiment*> chosen(const Case& c, const std::string& id) {
     return all;
 }
 
+// The case and its meshes, each once, with the hash of its bytes.
+reports::Json inputs_json(const Case& c, const std::vector<ExperimentRun>& runs) {
+    std::vector<std::string> paths = {c.path};
+    const auto add = [&](const std::string& path) {
+        if (std::find(paths.begin(), paths.end(), path) == paths.end()) paths.push_back(path);
+    };
+    for (const ExperimentRun& run : runs) {
+        const Experiment* e = c.find(run.id);
+        if (e == nullptr) continue;
+        for (const cases::Mesh& mesh : e->meshes) add(mesh.path);
+    }
+    reports::Json list = reports::Json::array();
+    for (const std::string& path : paths)
+        list.push_back(
+            {{"path", path}, {"fnv1a64", fmt::format("{:016x}", fingerprint_of(bytes_of(path)))}});
+    return list;
+}
+
 reports::Json json_of(const Case& c, const SimulateOptions& o,
                       const std::vector<ExperimentRun>& runs, const reports::Provenance& who) {
     reports::Json list = reports::Json::array();
@@ -73,13 +92,11 @@ reports::Json json_of(const Case& c, const SimulateOptions& o,
         for (const auto& file : run.dumps) files.push_back(file.filename().string());
         list.back()["dumps"] = {{"frames", run.frames}, {"files", std::move(files)}};
     }
-    const reports::Json input = {
-        {"path", c.path}, {"fnv1a64", fmt::format("{:016x}", fingerprint_of(bytes_of(c.path)))}};
     return {{"format", "similitude-run/1"},
             {"tool", reports::to_json(who)},
             {"case", c.path},
             {"title", c.title},
-            {"inputs", reports::Json::array({input})},
+            {"inputs", inputs_json(c, runs)},
             {"seed", o.common.seed},
             {"units", "SI"},
             {"runs", std::move(list)}};
@@ -198,9 +215,10 @@ Verb simulate_verb(CLI::App& app, const std::string& command) {
                      "wall time between two checkpoints, with its unit")
         ->type_name("TIME")
         ->capture_default_str();
-    verb->add_flag("--sleep", options->sleep,
-                   "leave out regions of a heap that are at rest until something comes: faster, and "
-                   "not quite the same heap");
+    verb->add_flag(
+        "--sleep", options->sleep,
+        "leave out regions of a heap that are at rest until something comes: faster, and "
+        "not quite the same heap");
     add_common(*verb, options->common);
     verb->footer(examples);
     return {verb, [options, command] { return run(*options, command); }};

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cases/csv.hpp"
+#include "cases/materials.hpp"
 #include "cases/stl.hpp"
 #include "cases/value.hpp"
 #include "scaling/quantities.hpp"
@@ -30,6 +31,7 @@ struct Grain {
     Measured<scaling::Dimensionless> poisson_ratio;
     // Empty: all grains have `diameter`. At most one of the two is filled.
     std::vector<std::pair<scaling::Length, double>> sizes;  // diameter, number fraction; sum 1
+    std::vector<int> size_material;                         // [sizes], see materials.hpp
     // Cumulative volume fraction, diameter; both rising.
     std::vector<std::pair<double, scaling::Length>> size_distribution;
 };
@@ -61,6 +63,7 @@ struct Numerics {  // how the user's run was made
 struct Model {
     std::vector<std::string> physics;             // as written
     std::map<std::string, Parameter> parameters;  // as written, no defaults filled in
+    std::vector<MaterialPair> pairs;              // for bulk rigs, where these say otherwise
     Numerics numerics;
 
     bool includes(const std::string& effect) const;
@@ -77,6 +80,12 @@ struct StatedFile {
     std::string path;  // it stands relative to case.json
 };
 
+// Of the walls of the rig `pile`, see materials.hpp.
+struct WallMaterials {
+    int base = material_of_plate, funnel = material_of_plate;  // base: its rim as well
+    std::vector<int> meshes;                                   // [meshes]
+};
+
 struct Experiment {
     std::string id;
     std::string rig;
@@ -86,6 +95,7 @@ struct Experiment {
     Plate plate;
     Surroundings surroundings;
     std::vector<Mesh> meshes;  // walls of the rig `pile`, in its own coordinates
+    WallMaterials wall_material;
     std::optional<Recording> recording;
     std::optional<Recording> simulated;   // the user's own run, same channels
     std::map<std::string, double> noise;  // channel -> standard deviation, SI
@@ -120,6 +130,7 @@ struct Case {
     Grain grain;
     Plate plate;
     Surroundings surroundings;
+    std::vector<Material> materials;  // by number from first_named_material on
     Model model;
     std::vector<Experiment> experiments;
     std::optional<Scaling> scaling;

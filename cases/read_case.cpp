@@ -36,8 +36,8 @@ Case read_case(const std::string& path, HeldOut held_out) {
                     ? (std::filesystem::path(path) / "case.json").string()
                     : path;
     const Value root = read_json(read.path);
-    check_keys(root, {"format", "title", "source", "grain", "plate", "surroundings", "model",
-                      "experiments", "scaling", "stated"});
+    check_keys(root, {"format", "title", "source", "grain", "plate", "surroundings", "materials",
+                      "model", "experiments", "scaling", "stated"});
     checked_word(root.at("format"), {"similitude-case/1"});
     if (root.has("title")) read.title = root.at("title").text();
     if (root.has("source")) read.source = root.at("source").text();
@@ -50,14 +50,18 @@ Case read_case(const std::string& path, HeldOut held_out) {
     shared.plate.kind = Value::Kind::null;
     if (root.has("plate")) shared.plate = root.at("plate");
 
-    read.grain = read_grain(shared.grain);
+    if (root.has("materials")) read.materials = read_materials(root.at("materials"));
+    shared.names = MaterialNames(read.materials);
+    shared.materials = read.materials;
+    read.grain = read_grain(shared.grain, shared.names);
     read.surroundings = read_surroundings(shared.surroundings);
     read.plate = {read.grain.youngs_modulus.value, read.grain.poisson_ratio.value};
     if (root.has("plate")) read.plate = read_plate(shared.plate);
     if (root.has("scaling")) read.scaling = read_scaling(root.at("scaling"));
     const bool adhesion_elsewhere = shared.grain.has("surface_energy") ||
                                     (read.scaling && read.scaling->scaled_work_of_adhesion);
-    read.model = read_model(root.at("model"), adhesion_elsewhere ? "work_of_adhesion" : "");
+    read.model =
+        read_model(root.at("model"), adhesion_elsewhere ? "work_of_adhesion" : "", shared.names);
     adopt_surface_energy(shared.grain, read);
     if (read.scaling && read.scaling->scaled_work_of_adhesion &&
         read.model.find("work_of_adhesion") != nullptr) {

@@ -91,6 +91,34 @@ std::vector<Mesh> meshes_of(const Value& conditions, const std::string& folder) 
     return read;
 }
 
+WallMaterials wall_materials(const Value& conditions, const MaterialNames& names) {
+    const auto of = [&](const Value& owner, const char* key) {
+        return owner.has(key) ? names.number_of(owner.at(key)) : material_of_plate;
+    };
+    WallMaterials walls;
+    walls.base = of(conditions, "base_material");
+    if (conditions.has("funnel")) walls.funnel = of(conditions.at("funnel"), "material");
+    if (!conditions.has("mesh")) return walls;
+    const Value& mesh = conditions.at("mesh");
+    for (const Value& one : mesh.kind == Value::Kind::list ? mesh.items : std::vector{mesh})
+        walls.meshes.push_back(of(one, "material"));
+    return walls;
+}
+
+// Grains fall and are fed by weight, so that their material must have a density.
+void check_densities(const Grain& grain, const Shared& shared) {
+    for (const int number : grain.size_material) {
+        if (number < first_named_material) continue;
+        const Material& m =
+            shared.materials[static_cast<std::size_t>(number - first_named_material)];
+        if (m.density) continue;
+        const std::string file = shared.grain.where.substr(0, shared.grain.where.rfind("grain"));
+        throw scaling::InvalidInput(
+            scaling::mistake(file + "materials." + m.name + ".density", "nothing",
+                             "must be given for a material of grains", "add the key \"density\""));
+    }
+}
+
 std::map<std::string, double> read_noise(const Value& noise, const RigRule& rig) {
     std::vector<std::string> numbers;
     for (const ChannelRule& channel : rig.channels) {
@@ -136,7 +164,9 @@ Experiment read_experiment(const Value& experiment, const Shared& shared, const 
     const RigRule& rig = rig_rule(read.rig);
     read.conditions = experiment.at("conditions");
     check_conditions(rig, read.conditions);
-    read.grain = read_grain(with_overrides(experiment, "grain", shared.grain));
+    read.grain = read_grain(with_overrides(experiment, "grain", shared.grain), shared.names);
+    check_densities(read.grain, shared);
+    if (read.rig == "pile") read.wall_material = wall_materials(read.conditions, shared.names);
     read.plate = plate_of(experiment, shared, rig, read);
     read.surroundings =
         read_surroundings(with_overrides(experiment, "surroundings", shared.surroundings));

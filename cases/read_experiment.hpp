@@ -4,6 +4,7 @@
 #include "cases/case.hpp"
 
 #include <string>
+#include <vector>
 
 namespace cases {
 
@@ -11,6 +12,8 @@ namespace cases {
 struct Shared {
     Value grain, plate, surroundings;  // plate of kind null where the case has none
     std::string folder;                // recordings stand relative to it
+    std::vector<Material> materials{};
+    MaterialNames names{};
 };
 
 // One entry of `experiments`, without its recordings. Throws scaling::InvalidInput.

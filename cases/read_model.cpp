@@ -115,12 +115,14 @@ std::vector<std::string> read_kept(const Value& list) {
 
 }  // namespace
 
-Model read_model(const Value& object, const std::string& known_elsewhere) {
-    check_keys(object, {"physics", "parameters", "numerics"});
+Model read_model(const Value& object, const std::string& known_elsewhere,
+                 const MaterialNames& names) {
+    check_keys(object, {"physics", "parameters", "numerics", "pairs"});
     Model model;
     read_physics(object.at("physics"), model);
     if (object.has("parameters")) read_parameters(object.at("parameters"), model);
     if (object.has("numerics")) model.numerics = read_numerics(object.at("numerics"));
+    if (object.has("pairs")) model.pairs = read_pairs(object.at("pairs"), names, model.physics);
     for (const Effect& effect : effects()) {
         if (!model.includes(effect.name)) continue;
         for (const std::string& need : effect.needs) {

@@ -8,7 +8,7 @@ namespace cases {
 
 // Physics and parameters by their names, ranges in order and with their value inside, what an effect needs present.
 // `known_elsewhere` is a parameter that need not be given here (the adhesion of the scaled grain), or "".
-Model read_model(const Value& model, const std::string& known_elsewhere);
+Model read_model(const Value& model, const std::string& known_elsewhere, const MaterialNames& = {});
 
 Scaling read_scaling(const Value& scaling);
 

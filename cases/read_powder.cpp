@@ -35,9 +35,9 @@ CheckedPair youngs_modulus(const Value& material, double poisson_ratio) {
     return e;
 }
 
-const Value& pair_of(const Value& list, std::size_t i, const char* example) {
+const Value& pair_of(const Value& list, std::size_t i, const char* example, std::size_t most = 2) {
     const Value& entry = list.items[i];
-    if (entry.kind != Value::Kind::list || entry.items.size() != 2)
+    if (entry.kind != Value::Kind::list || entry.items.size() < 2 || entry.items.size() > most)
         refuse(entry, "must be a pair", example);
     return entry;
 }
@@ -47,14 +47,20 @@ void require_list(const Value& list, const char* example) {
         refuse(list, "must be a list of pairs", example);
 }
 
-void read_sizes(const Value& list, Grain& grain) {
-    const char* example = "write [[\"1.9 mm\", 0.5], [\"2.1 mm\", 0.5]]: diameter, number fraction";
+void read_sizes(const Value& list, const MaterialNames& names, Grain& grain) {
+    const char* example =
+        "write [[\"1.9 mm\", 0.5], [\"2.1 mm\", 0.5]]: diameter, number fraction, and a material "
+        "where it is not the grain's";
     require_list(list, example);
     double sum = 0.0;
     for (std::size_t i = 0; i < list.items.size(); ++i) {
-        const Value& entry = pair_of(list, i, example);
+        const Value& entry = pair_of(list, i, example, 3);
         const double diameter = checked(entry.items[0], "m", Domain::positive);
         const double fraction = checked(entry.items[1], "1", Domain::positive);
+        const bool other = entry.items.size() == 3;
+        grain.size_material.push_back(other ? names.number_of(entry.items[2]) : material_of_grain);
+        if (grain.size_material.back() == material_of_plate)
+            refuse(entry.items[2], "must be of a material of grains", "name one of \"materials\"");
         grain.sizes.emplace_back(scaling::Length::from_value(diameter), fraction);
         sum += fraction;
     }
@@ -112,7 +118,7 @@ Value overridden(const Value& object, const Value& overriding) {
     return result;
 }
 
-Grain read_grain(const Value& grain) {
+Grain read_grain(const Value& grain, const MaterialNames& names) {
     check_keys(grain, {"diameter", "density", "youngs_modulus", "shear_modulus", "poisson_ratio",
                        "sizes", "size_distribution", "surface_energy"});
     Grain result;
@@ -126,7 +132,7 @@ Grain read_grain(const Value& grain) {
     if (grain.has("sizes") && grain.has("size_distribution")) {
         refuse(grain.at("sizes"), "must not stand beside size_distribution", "give one of the two");
     }
-    if (grain.has("sizes")) read_sizes(grain.at("sizes"), result);
+    if (grain.has("sizes")) read_sizes(grain.at("sizes"), names, result);
     if (grain.has("size_distribution")) read_distribution(grain.at("size_distribution"), result);
     return result;
 }

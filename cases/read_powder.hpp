@@ -11,7 +11,7 @@ namespace cases {
 Value overridden(const Value& object, const Value& overriding);
 
 // Each checks its keys, dimensions and ranges; throws scaling::InvalidInput.
-Grain read_grain(const Value& grain);
+Grain read_grain(const Value& grain, const MaterialNames& = {});
 Plate read_plate(const Value& plate);
 Surroundings read_surroundings(const Value& surroundings);
 

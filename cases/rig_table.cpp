@@ -4,6 +4,8 @@
 #include "cases/messages.hpp"
 #include "scaling/errors.hpp"
 
+#include <algorithm>
+
 namespace cases {
 namespace {
 
@@ -74,16 +76,19 @@ RigRule pile() {
                      .members = {quantity("outlet_diameter", "m", Domain::positive, true),
                                  quantity("top_diameter", "m", Domain::positive, true),
                                  quantity("height", "m", Domain::positive, true),
-                                 quantity("outlet_height", "m", Domain::positive, true)}};
+                                 quantity("outlet_height", "m", Domain::positive, true),
+                                 Condition{.name = "material", .text = true}}};
     Condition shift = quantity("shift", "m", Domain::any);
     shift.in_list = 3;
     Condition mesh{.name = "mesh",
                    .members = {Condition{.name = "file", .required = true, .text = true},
-                               Condition{.name = "unit", .text = true}, std::move(shift)},
+                               Condition{.name = "unit", .text = true}, std::move(shift),
+                               Condition{.name = "material", .text = true}},
                    .several = true};
     return {"pile",
             {word("base", {"flat", "flat_with_rim", "glued_grains"}, true),
-             quantity("base_diameter", "m", Domain::positive, true), std::move(grains),
+             quantity("base_diameter", "m", Domain::positive, true),
+             Condition{.name = "base_material", .text = true}, std::move(grains),
              quantity("rim_height", "m", Domain::positive),
              quantity("drop_height", "m", Domain::positive),
              quantity("feed_diameter", "m", Domain::positive),
@@ -190,6 +195,8 @@ void check_pile(const Value& conditions) {
     if (conditions.at("base").text() != "flat_with_rim") {
         forbid(conditions, "rim_height", "must belong to the base flat_with_rim");
     }
+    if (conditions.at("base").text() == "glued_grains")
+        forbid(conditions, "base_material", "must belong to a flat base: glued grains are grains");
     if (conditions.has("mesh") && !conditions.has("funnel")) {
         for (const char* key : {"drop_height", "feed_diameter"}) {
             if (conditions.has(key)) continue;
@@ -270,10 +277,18 @@ void check_conditions(const RigRule& rig, const Value& conditions) {
 
 bool needs_plate(const RigRule& rig, const Value& conditions) {
     if (rig.name == "pull_off") return conditions.at("counterpart").text() == "plate";
-    if (rig.name == "pile")
-        return conditions.at("base").text() != "glued_grains" || conditions.has("funnel") ||
-               conditions.has("mesh");
-    return true;
+    if (rig.name != "pile") return true;
+    const auto of_plate = [](const Value& owner, const char* key) {
+        return !owner.has(key) || owner.at(key).text() == "plate";
+    };
+    if (conditions.at("base").text() != "glued_grains" && of_plate(conditions, "base_material"))
+        return true;
+    if (conditions.has("funnel") && of_plate(conditions.at("funnel"), "material")) return true;
+    if (!conditions.has("mesh")) return false;
+    const Value& mesh = conditions.at("mesh");
+    if (mesh.kind != Value::Kind::list) return of_plate(mesh, "material");
+    return std::any_of(mesh.items.begin(), mesh.items.end(),
+                       [&](const Value& one) { return of_plate(one, "material"); });
 }
 
 }  // namespace cases

@@ -186,3 +186,40 @@ TEST_CASE("resume: what was finished before the interrupt is not run again", "[a
     const Json rest = Json::parse(contents(f / "part/run.json")).at("runs");
     CHECK(rest.at(1).at("result") == whole.at(1).at("result"));
 }
+
+TEST_CASE(
+    "resume: a mesh that changed since the interrupt is refused; run.json names and hashes it",
+    "[app][resume][input]") {
+    const Folder f;
+    const auto wall = [&](const std::string& height) {
+        f.write("wall.stl", "solid wall\nfacet normal 0 0 1\nouter loop\nvertex -9 -9 " + height +
+                                "\nvertex 9 -9 " + height + "\nvertex 0 9 " + height +
+                                "\nendloop\nendfacet\nendsolid wall\n");
+    };
+    wall("-9");
+    std::string text = tiny_case(R"("grains": 300)",
+                                 R"("grains": 300, "drop_height": "5 mm", "feed_diameter": "6 mm",
+      "mesh": {"file": "wall.stl", "unit": "mm"})");
+    text.insert(text.find("\"model\""),
+                "\"plate\": {\"youngs_modulus\": \"1 MPa\", \"poisson_ratio\": 0.3},\n  ");
+    const std::string path = f.write("case.json", text);
+    REQUIRE(similitude(command(path, f / "whole")).code == 0);
+    const auto inputs = [&](const std::string& folder) {
+        return Json::parse(contents(f / (folder + "/run.json"))).at("inputs");
+    };
+    REQUIRE(inputs("whole").size() == 2);
+    CHECK(inputs("whole").at(1).at("path").get<std::string>().ends_with("wall.stl"));
+
+    std::vector<std::string> words = command(path, f / "part");
+    REQUIRE(similitude(words, {{duration(f / "whole") / 3, SIGTERM}}).code == 130);
+    words.push_back("--resume");
+    wall("-8");
+    const Outcome other = similitude(words);
+    INFO(other.err);
+    CHECK(other.code == 2);
+    CHECK(other.err.find("must belong to this case, seed and version") != std::string::npos);
+    wall("-9");
+    REQUIRE(similitude(words).code == 0);
+    expect_same(f / "part", f / "whole");
+    CHECK(inputs("part") == inputs("whole"));
+}

@@ -56,7 +56,7 @@ TEST_CASE("a wrong dimension is named beside the right one", "[cases][bad]") {
 TEST_CASE("an unknown key is named with its full path, at every depth", "[cases][bad]") {
     CHECK(after("\"title\"", "\"titel\"") ==
           "case.json: titel: got an unknown key, must be one of format, title, source, grain, "
-          "plate, surroundings, model, "
+          "plate, surroundings, materials, model, "
           "experiments, scaling, stated (did you mean \"title\"?)");
     CHECK(after("\"height\": \"600 mm\"", "\"hieght\": \"600 mm\"") ==
           "case.json: experiments[0].conditions.hieght: got an unknown key, must be one of height, "
