@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/bench.hpp"
 #include "app/exit_code.hpp"
+#include "app/prove.hpp"
 #include "app/scale.hpp"
 #include "app/simulate.hpp"
 #include "app/verify.hpp"
@@ -73,6 +74,7 @@ int main(int argc, char** argv) {
     const std::vector<app::Verb> verbs = {app::scale_verb(cli, command),
                                           app::simulate_verb(cli, command),
                                           app::verify_verb(cli, command),
+                                          app::prove_verb(cli, command),
                                           app::bench_verb(cli, command)};
     try {
         cli.parse(argc, argv);
