@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+// The rig `drop`: flights, impacts, and what follows the last of them.
+#include "prove/collision.hpp"
+#include "prove/ground.hpp"
+#include "prove/motions.hpp"
+#include "prove/path.hpp"
+#include "prove/stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace prove {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double closest = 0.165e-9;  // m, gap at which the attraction of surfaces ends
+
+// Work of the attraction A R/(6 h^2), held at its value of the closest gap below that: A R/(3 h0).
+double surface_well(const World& w, const Setup& s) {
+    return w.hamaker_constant * s.r_star() / (3.0 * closest);
+}
+
+struct Fall {
+    const World& w;
+    const Setup& s;
+    double t_end;      // of the true clock
+    double middle;     // of the recording
+    bool wet = false;  // a bridge hangs between grain and plate
+    double upright = std::cos(w.tilt_angle);
+    double leaning = std::sin(w.tilt_angle) * std::cos(w.tilt_azimuth);
+    double t = 0.0, y[5] = {};  // z, vz, x, vx, spin
+    Path path{};
+    std::optional<std::pair<double, std::vector<ContactNode>>> course{};  // of the last e
+
+    double plate(double at) const {
+        if (w.amplitude == 0.0) return 0.0;
+        return w.amplitude * std::sin(2.0 * pi * w.frequency * at + w.phase);
+    }
+    double plate_speed(double at) const {
+        if (w.amplitude == 0.0) return 0.0;
+        return w.amplitude * 2.0 * pi * w.frequency *
+               std::cos(2.0 * pi * w.frequency * at + w.phase);
+    }
+    double weight(double at) const {
+        const double g = s.gravity * (1.0 - w.buoyancy * s.fluid_density / s.density);
+        return w.kind == Outside::gravity_step && at > middle ? g * (1.0 + w.outside) : g;
+    }
+    bool constant() const {
+        return w.drag == 0.0 && w.charge == 0.0 && !wet && w.kind == Outside::none;
+    }
+    void rates(double at, const double* state, double* rate) const {
+        const double g = weight(at), speed = std::hypot(state[1], state[3]);
+        const double drag = speed > 0.0 ? drag_deceleration(w, s, speed) / speed : 0.0;
+        rate[0] = state[1];
+        rate[1] =
+            -g * upright - drag * state[1] - attraction(w, s, state[0] - plate(at), wet) / s.mass();
+        rate[2] = state[3];
+        rate[3] = g * leaning - drag * state[3];
+        if (w.kind == Outside::spring_to_middle) rate[3] -= s.gravity * w.outside * state[2] / 0.1;
+        rate[4] = 0.0;
+    }
+    void mark() {
+        double rate[5];
+        rates(t, y, rate);
+        path.add({t, y[0], y[1], rate[1], y[2], y[3], rate[3], y[4], 0.0});
+    }
+    bool fly();     // to the next touch; false where t_end came first
+    bool bounce();  // false where the grain stays
+    void lie();     // from here to t_end
+    void stay_on_plate();
+};
+
+// Of a - b, the state on the straight or curved way between two points.
+void between(double at, double t0, const double* a, const double* ra, double t1, const double* b,
+             const double* rb, double* state) {
+    const Quintic z = quintic(at, t0, a[0], a[1], ra[1], t1, b[0], b[1], rb[1]);
+    const Quintic x = quintic(at, t0, a[2], a[3], ra[3], t1, b[2], b[3], rb[3]);
+    state[0] = z.value, state[1] = z.slope, state[2] = x.value, state[3] = x.slope;
+    state[4] = a[4];
+}
+
+bool Fall::fly() {
+    mark();
+    double start[5];
+    rates(t, y, start);
+    const double hop = std::max(2.0 * std::abs(y[1] - plate_speed(t)) / std::abs(start[1]), 1e-9);
+    double h = 0.1 * hop;
+    if (constant()) {
+        double rate[5];
+        rates(t, y, rate);
+        const double gap = y[0] - plate(t), fall = -rate[1];
+        // The whole parabola where the plate is still; pieces of it where it moves.
+        h = w.amplitude > 0.0
+                ? std::min(0.05 / w.frequency, std::max(0.1 * hop, 1e-3 / w.frequency))
+                : (y[1] + std::sqrt(y[1] * y[1] + 2.0 * fall * std::max(gap, 0.0))) / fall;
+        h = std::max(h, 1e-12);
+    }
+    const double v0 = std::abs(y[1]) + std::sqrt(2.0 * s.gravity * std::max(y[0], 0.0)) + 1e-4;
+    Stepper stepper(
+        [this](double at, const double* state, double* rate) { rates(at, state, rate); },
+        {1e-8 * v0, 1e-8 * v0, 1e-8 * v0, 1e-8 * v0, 1e-6}, 1e-8);
+    const double widest = w.amplitude > 0.0 ? 0.05 / w.frequency : 0.2 * t_end;
+    while (t < t_end) {
+        const double t0 = t, a[5] = {y[0], y[1], y[2], y[3], y[4]};
+        double ra[5], rb[5];
+        rates(t0, a, ra);
+        if (constant()) {
+            const double step = std::min(h, t_end - t);
+            for (int k = 0; k < 4; k += 2) {
+                y[k] += step * (y[k + 1] + 0.5 * step * ra[k + 1]);
+                y[k + 1] += step * ra[k + 1];
+            }
+            t += step;
+            if (w.amplitude == 0.0 && t < t_end) {
+                y[0] = 0.0;
+                mark();
+                return true;
+            }
+            h = std::min(0.05 / std::max(w.frequency, 1e-9), 2.0 * h);
+        } else {
+            h = std::min(h, widest);
+            stepper.advance(t, t_end, h, y);
+        }
+        rates(t, y, rb);
+        const double limit = wet ? rupture_gap(w) : -1.0;
+        // Just after a rebound the gap is zero at t0 as well: begin behind it.
+        const auto passes = [&](const auto& value) {
+            return root(
+                [&](double at) {
+                    double state[5];
+                    between(at, t0, a, ra, t, y, rb, state);
+                    return value(state[0] - plate(at));
+                },
+                t0 + 1e-6 * (t - t0), t);
+        };
+        if (y[0] < plate(t)) {
+            const double end = passes([](double gap) { return gap; });
+            double state[5];
+            between(end, t0, a, ra, t, y, rb, state);
+            std::copy(state, state + 5, y);
+            y[0] = plate(end);
+            t = end;
+            mark();
+            return true;
+        }
+        if (wet && y[0] - plate(t) > limit) {
+            const double end = passes([limit](double gap) { return gap - limit; });
+            double state[5];
+            between(end, t0, a, ra, t, y, rb, state);
+            std::copy(state, state + 5, y);
+            t = end;
+            wet = false;
+            mark();
+            stepper.restart();
+            continue;
+        }
+        mark();
+    }
+    return false;
+}
+
+bool Fall::bounce() {
+    wet = w.surface_tension > 0.0;
+    const double floor = plate(t), floor_speed = plate_speed(t);
+    double v = floor_speed - y[1];
+    if (v <= 0.0) return true;  // grazing: flies on
+    const double well = 2.0 * surface_well(w, s) / s.mass();
+    v = std::sqrt(v * v + well);
+    const double e = restitution_at(w, v, std::atan2(std::abs(y[3]), v));
+    const double pull = attraction(w, s, 0.0, wet);
+    NormalContact contact;
+    if (pull <= 0.0 && w.work_of_adhesion <= 0.0) {
+        if (!course || course->first != e) course.emplace(e, hertz_course(e));
+        contact = scaled_course(s, course->second, v, e);
+    } else {
+        contact = normal_contact(w, s, v, e, pull + s.mass() * weight(t));
+    }
+    const Slip out = after_contact(w, s, contact, {y[3], y[4]});
+    const double x0 = y[2], mean = 0.5 * (y[3] + out.velocity);
+    for (std::size_t k = 1; k + 1 < contact.nodes.size(); k += 8) {
+        const ContactNode& n = contact.nodes[k];
+        const double accel = n.radius > 0.0 ? n.cap / s.mass() : 0.0;
+        path.add({t + n.t, floor + floor_speed * n.t - n.overlap, floor_speed - n.rate,
+                  w.work_of_adhesion > 0.0 ? 0.0 : accel, x0 + mean * n.t, mean, 0.0, y[4], 0.0});
+    }
+    t += contact.duration;
+    y[0] = floor + floor_speed * contact.duration;
+    y[2] = x0 + mean * contact.duration;
+    y[3] = out.velocity, y[4] = out.spin;
+    const double away = contact.rebound * contact.rebound - well;
+    if (contact.stuck || away <= 0.0) return false;
+    y[1] = floor_speed + std::sqrt(away);
+    if (w.work_of_adhesion > 0.0 && !contact.nodes.empty())
+        y[0] -= std::min(0.0, contact.nodes.back().overlap);
+    return true;
+}
+
+void Fall::lie() {
+    y[0] = plate(t), y[1] = plate_speed(t);
+    Load load = load_on_plane(w, s, 0.0, wet);
+    load.along = weight(t) * std::sin(w.tilt_angle) * std::cos(w.tilt_azimuth);
+    path.add({t, 0.0, 0.0, 0.0, y[2], y[3], 0.0, y[4], 0.0});
+    move_on_ground(w, s, load, t_end, path);
+    t = t_end;
+}
+
+// With a moving plate: held until the plate falls away faster than the grain can follow.
+void Fall::stay_on_plate() {
+    const double omega = 2.0 * pi * w.frequency;
+    const double g = weight(t) + attraction(w, s, 0.0, wet) / s.mass();
+    const double step = 0.02 / w.frequency;
+    const auto lets_go = [&](double at) {
+        return -w.amplitude * omega * omega * std::sin(omega * at + w.phase) + g;
+    };
+    while (t < t_end) {
+        if (lets_go(t) < 0.0) break;
+        y[0] = plate(t), y[1] = plate_speed(t);
+        path.add({t, y[0], y[1], lets_go(t) - g, y[2], y[3], 0.0, y[4], 0.0});
+        const double next = std::min(t + step, t_end);
+        y[2] += y[3] * (next - t);
+        if (lets_go(next) < 0.0) {
+            t = root(lets_go, t, next) + 1e-9 / w.frequency;
+            break;
+        }
+        t = next;
+    }
+    y[0] = plate(t), y[1] = plate_speed(t);
+    path.add({t, y[0], y[1], 0.0, y[2], y[3], 0.0, y[4], 0.0});
+}
+
+Path trajectory(const World& w, const Setup& s) {
+    const double last = s.at.back() / w.time_factor;
+    Fall f{.w = w, .s = s, .t_end = last + 1e-9, .middle = 0.5 * last};
+    f.t = s.release_time;
+    f.y[0] = s.height, f.y[1] = -s.speed, f.y[3] = s.horizontal_speed, f.y[4] = s.spin;
+    f.path.add({f.t - 1e-9, s.height, 0.0, 0.0, 0.0, 0.0, 0.0, s.spin, 0.0});
+    // Bounces below 1/50 000 of the height are rest: no instrument here sees them.
+    const double tiny = 2e-5 * s.height;
+    for (int k = 0; k < 2000 && f.t < f.t_end; ++k) {
+        if (!f.fly()) break;
+        const bool away = f.bounce();
+        const double hop = f.y[1] - f.plate_speed(f.t);
+        const double down = f.weight(f.t) + attraction(w, s, 0.0, f.wet) / s.mass();
+        const bool low = !away || hop * hop < 2.0 * down * tiny;
+        if (!low) continue;
+        if (w.amplitude == 0.0) {
+            f.lie();
+        } else {
+            f.stay_on_plate();
+        }
+    }
+    return std::move(f.path);
+}
+
+}  // namespace
+
+std::vector<double> drop(const World& w, const Setup& s) {
+    const Path path = trajectory(w, s);
+    const std::size_t rows = s.at.size();
+    std::vector<double> all(s.size());
+    for (std::size_t k = 0; k < rows; ++k) {
+        const Point p = path.at(s.at[k] / w.time_factor);
+        for (std::size_t c = 0; c < s.recorded.size(); ++c)
+            all[c * rows + k] = s.recorded[c] == Channel::z ? p.z : p.x;
+    }
+    return all;
+}
+
+}  // namespace prove

@@ -1,0 +1,4 @@
+// SPDX-License-Identifier: MIT
+#include "prove/world.hpp"
+
+#include <catch2/catch.hpp>
