@@ -6,9 +6,12 @@
 #include "app/version.hpp"
 #include "cases/csv.hpp"
 #include "cases/messages.hpp"
+#include "cases/rig_table.hpp"
 #include "reports/numbers.hpp"
 #include "rigs/drop.hpp"
+#include "rigs/forward.hpp"
 #include "rigs/height_map.hpp"
+#include "rigs/single_grain.hpp"
 #include "scaling/cost.hpp"
 #include "scaling/errors.hpp"
 
@@ -171,9 +174,43 @@ ExperimentRun drop_run(const Experiment& e, const rigs::DropSetup& setup,
             reports::to_json(record)};
 }
 
+// Of the rigs with a forward model and no runner of their own.
+ExperimentRun curves_run(const Experiment& e, const rigs::World& world,
+                         const std::filesystem::path& folder) {
+    const auto start = std::chrono::steady_clock::now();
+    const rigs::Ordinates at = rigs::ordinates_of(e);
+    const rigs::Curves curves = rigs::forward_model(e)->predict(world, at);
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const cases::RigRule& rig = cases::rig_rule(e.rig);
+    const auto unit = [&](const std::string& channel) {
+        return cases::find_channel(rig, channel)->units.front();
+    };
+    const std::string ordinate = rigs::ordinate_name(e);
+    std::vector<cases::Column> columns{{ordinate, unit(ordinate), at.at, {}}};
+    for (const auto& [name, values] : curves) columns.push_back({name, unit(name), values, {}});
+    if (!at.retract.empty()) {
+        columns.push_back({"branch", "", {}, {}});
+        for (const bool back : at.retract)
+            columns.back().words.emplace_back(back ? "retract" : "approach");
+    }
+    cases::write_csv((folder / (e.id + ".csv")).string(), columns);
+    const cases::Recording* recording = e.recording ? &*e.recording : nullptr;
+    return {e.id,
+            e.rig,
+            seconds.count(),
+            reports::curves_section(e.id, columns, recording),
+            {{"rows", at.at.size()}}};
+}
+
+bool has_curves(const Experiment& e) {
+    return e.rig == "incline" || e.rig == "impact" || e.rig == "pull_off";
+}
+
 }  // namespace
 
-bool can_simulate(const Experiment& e) { return e.rig == "pile" || e.rig == "drop"; }
+bool can_simulate(const Experiment& e) {
+    return e.rig == "pile" || e.rig == "drop" || has_curves(e);
+}
 
 std::function<ExperimentRun()> prepared(const Case& c, const Experiment& e, const CommonOptions& o,
                                         const RunPlace& place) {
@@ -182,8 +219,15 @@ std::function<ExperimentRun()> prepared(const Case& c, const Experiment& e, cons
         return [&e, setup = rigs::drop_setup(c, e), folder = place.folder] {
             return drop_run(e, setup, folder);
         };
+    if (has_curves(e)) {
+        rigs::refuse_physics_of_many(c, e.rig);
+        return [&e, world = rigs::world_of(c, e), folder = place.folder] {
+            return curves_run(e, world, folder);
+        };
+    }
     throw InvalidInput(mistake("experiment " + cases::in_quotes(e.id),
-                               "rig " + cases::in_quotes(e.rig), "must be of the rig pile or drop",
+                               "rig " + cases::in_quotes(e.rig),
+                               "must be of the rig pile, drop, incline, impact or pull_off",
                                "no other rig can be simulated yet"));
 }
 

@@ -55,4 +55,9 @@ RunSection pile_section(const std::string& name, const rigs::PileRecord&);
 RunSection drop_section(const std::string& name, const rigs::DropRecord&,
                         const cases::Recording* recording);
 
+// One run of a rig that has a forward model: each channel but the first against the first, with the recording's points where
+// there is one. `columns` begin with the ordinate.
+RunSection curves_section(const std::string& name, const std::vector<cases::Column>& columns,
+                          const cases::Recording* recording);
+
 }  // namespace reports

@@ -83,6 +83,12 @@ std::set<std::string> drop_effects() {
             "vibration"};
 }
 
+void refuse_physics_of_many(const cases::Case& c, const std::string& rig) {
+    const std::set<std::string> known =
+        drop_effects();  // every effect on one grain shows in a drop
+    refuse_other_physics(c, rig, {known.begin(), known.end()});
+}
+
 std::unique_ptr<ForwardModel> drop_model(const cases::Experiment& e) {
     return std::make_unique<Drop>(e);
 }
@@ -96,8 +102,7 @@ DropConditions drop_conditions(const Stated& stated, const World& world) {
 }
 
 DropSetup drop_setup(const cases::Case& c, const cases::Experiment& experiment) {
-    const std::set<std::string> known = drop_effects();
-    refuse_other_physics(c, "drop", {known.begin(), known.end()});
+    refuse_physics_of_many(c, "drop");
     const World world = rigs::world_of(c, experiment);
     const Stated stated(experiment);
     return {drop_conditions(stated, world), one_grain(stated, world), world.numerics};

@@ -12,8 +12,8 @@ namespace rigs {
 namespace {
 
 // Below this rebound the bounces that are left last no time and reach no height: a millionth of sqrt(2 g R).
-double slowest_bounce(const DropWorld& world) {
-    return 1e-6 * std::sqrt(2.0 * std::max(0.0, world.grip()) * world.grain->radius);
+double slowest_bounce(const DropWorld& world, double grip) {
+    return 1e-6 * std::sqrt(2.0 * grip * world.grain->radius);
 }
 
 enum class After { flies, stays };
@@ -42,7 +42,8 @@ After bounce(const DropWorld& world, OneContact& contact, DropState& s, DropRows
     s.z += plate_speed * r.duration + r.gap;
     s.vx = r.v, s.w = r.w, s.vz = plate_speed + r.normal;
     if (moving) s.z = g.vibration.height(s.t) + r.gap;
-    const bool held = world.grip() > 0.0 && r.normal <= slowest_bounce(world);
+    const double grip = world.grip(s);
+    const bool held = grip > 0.0 && r.normal <= slowest_bounce(world, grip);
     return r.stays || held ? After::stays : After::flies;
 }
 
@@ -75,7 +76,11 @@ double DropWorld::lift(const DropState& s, double gap) const {
 
 double DropWorld::holding() const { return into() + grain->attraction.in_contact() / grain->mass; }
 
-double DropWorld::grip() const { return into() + grain->attraction.across(0.0, true) / grain->mass; }
+double DropWorld::grip(const DropState& s) const {
+    DropState touching = s;
+    touching.bridged = grain->attraction.bridge > 0.0;
+    return into() - lift(touching, 0.0) / grain->mass;
+}
 
 DropPath follow_drop(const DropWorld& world, const DropConditions& c,
                      const std::vector<double>& times) {
@@ -93,7 +98,8 @@ DropPath follow_drop(const DropWorld& world, const DropConditions& c,
         return path;
     }
     OneContact contact(*world.grain);
-    while (!out.done()) {
+    int idle = 0;  // liftings that were none: the plate and what holds the grain are in balance
+    while (!out.done() && idle < 1000) {
         if (!fly(world, s, out)) break;
         if (bounce(world, contact, s, out) != After::stays) continue;
         if (!path.settled) path.settled = true, path.settled_at = s.t;
@@ -101,6 +107,7 @@ DropPath follow_drop(const DropWorld& world, const DropConditions& c,
         stay(world, s, out);
         if (out.done()) break;
         path.settled = false;
+        idle = s.t == before ? idle + 1 : 0;
         if (s.t == before)
             s.vz += 1e-9 * world.grain->vibration.amplitude * world.grain->vibration.omega;
     }

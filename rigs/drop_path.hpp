@@ -48,8 +48,8 @@ struct DropWorld {
     double lift(const DropState&, double gap) const;
     // m/s^2 into the plate of a grain at rest there.
     double holding() const;
-    // The same where it has barely left: van der Waals' pull is in it.
-    double grip() const;
+    // The same where it has barely left: van der Waals' pull and the missing force are in it.
+    double grip(const DropState&) const;
 };
 
 // `times` must not fall.

@@ -2,6 +2,7 @@
 #include "rigs/forward.hpp"
 
 #include "rigs/effects.hpp"
+#include "rigs/one_grain.hpp"
 #include "rigs/single_grain.hpp"
 #include "scaling/errors.hpp"
 
@@ -20,20 +21,37 @@ double reynolds(const cases::Experiment& e, double speed) {
     return law.reynolds(speed);
 }
 
-// Where nothing was recorded: long enough for a few bounces, or a metre of plane.
-Ordinates ordinates_of(const cases::Experiment& e) {
-    if (e.recording || e.simulated) {
-        cases::Experiment known = e;
-        if (e.simulated) known.recording = e.simulated;
-        return recorded_ordinates(known);
-    }
-    Ordinates o;
-    for (int k = 0; k < 400; ++k) o.at.push_back(5e-3 * k);
+const cases::Recording* rows_of(const cases::Experiment& e) {
+    return e.recording ? &*e.recording : e.simulated ? &*e.simulated : nullptr;
+}
+
+Ordinates rows_as_ordinates(const cases::Experiment& e, const cases::Recording& r) {
+    Ordinates o{r.values(ordinate_name(e)), {}};
+    if (e.rig == "pull_off")
+        for (const std::string& branch : r.column("branch").words)
+            o.retract.push_back(branch == "retract");
+    return o;
+}
+
+std::vector<double> even(double first, double last, int count) {
+    std::vector<double> at;
+    for (int k = 0; k < count; ++k) at.push_back(first + (last - first) * k / (count - 1));
+    return at;
+}
+
+Ordinates there_and_back(const cases::Experiment& e) {
+    const bool grain = e.conditions.at("counterpart").text() == "grain";
+    const Stated stated(e);
+    const OneGrain g = one_grain(stated, {}, grain ? Counterpart::grain : Counterpart::plate);
+    const double d = g.resting_overlap(stated.value({}, "conditions.preload"));
+    Ordinates o{even(2.0 * d, -d, 101), {}};
+    for (const double s : even(-d, 2.0 * d, 101)) o.at.push_back(s);
+    o.retract.assign(101, false), o.retract.resize(202, true);
     return o;
 }
 
 double fastest(const cases::Experiment& e, const World& world) {
-    const Ordinates o = ordinates_of(e);
+    const Ordinates o = e.simulated ? rows_as_ordinates(e, *e.simulated) : ordinates_of(e);
     const Curves v = forward_model(e)->variables(world, o);
     double most = 0.0;
     for (const double speed : v.at("speed"))
@@ -57,13 +75,21 @@ Ordinates recorded_ordinates(const cases::Experiment& e) {
     if (!e.recording)
         throw InvalidInput(mistake("experiment \"" + e.id + "\"", "no recording", "must have one",
                                    "name its CSV file"));
-    const cases::Recording& r = *e.recording;
-    if (e.rig == "impact") return {r.values("angle"), {}};
-    if (e.rig != "pull_off") return {r.values("t"), {}};
-    Ordinates o{r.values(r.has("displacement") ? "displacement" : "separation"), {}};
-    for (const std::string& branch : r.column("branch").words)
-        o.retract.push_back(branch == "retract");
-    return o;
+    return rows_as_ordinates(e, *e.recording);
+}
+
+Ordinates ordinates_of(const cases::Experiment& e) {
+    if (const cases::Recording* rows = rows_of(e)) return rows_as_ordinates(e, *rows);
+    if (e.rig == "impact") return {even(0.0349, 1.536, 44), {}};
+    if (e.rig == "pull_off") return there_and_back(e);
+    return {even(0.0, 2.0, 401), {}};
+}
+
+std::string ordinate_name(const cases::Experiment& e) {
+    if (e.rig == "impact") return "angle";
+    if (e.rig != "pull_off") return "t";
+    const cases::Recording* rows = rows_of(e);
+    return rows != nullptr && rows->has("displacement") ? "displacement" : "separation";
 }
 
 double drag_curve(const cases::Experiment& e, double speed) {

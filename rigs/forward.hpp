@@ -64,6 +64,13 @@ std::unique_ptr<ForwardModel> forward_model(const cases::Experiment&);
 // Where the recording has its rows. Throws scaling::InvalidInput where there is none.
 Ordinates recorded_ordinates(const cases::Experiment&);
 
+// The same, or the rows of the user's own run; where there is neither, a range that shows the rig: two seconds, 2 to 88 degrees,
+// twice the overlap under the preload outwards and once inwards.
+Ordinates ordinates_of(const cases::Experiment&);
+
+// The channel that the ordinates are: "t", "angle", "separation" or "displacement".
+std::string ordinate_name(const cases::Experiment&);
+
 // What the user simulates: physics, parameter values and numerics of the model, with `drag_coefficient` turned into the
 // `drag_factor` that makes it the curve's value at the fastest speed which the experiments reach at their simulated, else
 // recorded, times.

@@ -11,6 +11,7 @@ namespace rigs {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
+constexpr int most_changes = 8;  // of the branch of the drag curve, in one stretch
 
 double sign(double x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : 0.0; }
 
@@ -143,7 +144,8 @@ void carry_by_steps(OnPlate& x, double until, const PlateForces& f, Rows& rows,
     const double guess = 0.05 * scale / (std::abs(first.a) + std::abs(first.b) + 1e-30);
     Ode<3, Plane> ode({&f, &mode, &x.newton}, x.t, {x.s, x.v, x.w},
                       {1e-12 * scale, 1e-11 * scale, 1e-11 * scale}, std::min(guess, 1e3));
-    while (x.t < until && !rows.done()) {
+    int changes = 0;
+    while (x.t < until && !rows.done() && std::isfinite(x.s + x.v + x.w)) {
         if (mode.kind == Mode::Kind::rest) {
             x.t = std::min(until, std::max(rows.time(), x.t));
             for (; !rows.done() && rows.time() <= x.t; ++rows.next) record(rows.next, x);
@@ -174,7 +176,7 @@ void carry_by_steps(OnPlate& x, double until, const PlateForces& f, Rows& rows,
             if (mode.turn != 0.0) watch(2, [&](const OnPlate& y) { return mode.turn * y.v; });
             watch(3, [&](const OnPlate& y) { return -shortfall(f, mode, y); });
         }
-        if (dragged) {
+        if (dragged && changes < most_changes) {
             const double side = x.newton ? 1.0 : -1.0;
             watch(4, [&](const OnPlate& y) {
                 return side * (f.drag->reynolds(std::abs(y.v)) - 1000.0);
@@ -186,6 +188,7 @@ void carry_by_steps(OnPlate& x, double until, const PlateForces& f, Rows& rows,
         const bool newton = x.newton;
         x = end;
         x.newton = event == 4 ? !newton : newton;
+        if (event == 4) ++changes;
         if (event == 0) continue;
         if (event == 1 || event == 2) settle(mode, x, event == 1);
         mode = event == 3 ? sliding(f, x, -sign(rates(f, mode, x).a - pull(f, x))) : mode_of(f, x);
@@ -201,7 +204,7 @@ void carry(OnPlate& x, double until, const PlateForces& f, Rows& rows, const Rec
     const bool dragged = f.drag != nullptr && f.drag->factor != 0.0;
     const bool even = !dragged && !f.further && !f.friction.depends();
     if (dragged) x.newton = f.drag->beyond(std::abs(x.v));
-    while (x.t < until && !rows.done()) {
+    while (x.t < until && !rows.done() && std::isfinite(x.s + x.v + x.w)) {
         if (even)
             carry_evenly(x, until, f, rows, record);
         else

@@ -14,6 +14,7 @@ namespace rigs {
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr std::size_t longest_contact = 5000;  // steps; by then it creeps towards rest
 constexpr double least_restitution = 1e-6;  // below it a contact lasts ever longer; the grain stays
 constexpr std::size_t intervals = 256;  // doubled, friction's impulse moves by less than 2e-4 of it
 
@@ -225,6 +226,9 @@ void OneContact::tear_off(const Approach& in, Rebound& out) {
             break;
         }
         turned = turned || y[1] < 0.0;
+        if (steps.size() < longest_contact && std::isfinite(y[0] + y[1])) continue;
+        end = step.t + step.h, out.normal = 0.0, out.stays = true;
+        break;
     }
     out.duration = end;
     Profile& p = profile_;

@@ -126,10 +126,7 @@ class PullOff : public ForwardModel {
     explicit PullOff(const cases::Experiment& e) : stated_(e) {
         counterpart_ = e.conditions.at("counterpart").text() == "grain" ? Counterpart::grain
                                                                         : Counterpart::plate;
-        const cases::Recording* known = e.recording   ? &*e.recording
-                                        : e.simulated ? &*e.simulated
-                                                      : nullptr;
-        driven_ = known != nullptr && known->has("displacement");
+        driven_ = ordinate_name(e) == "displacement";
     }
 
     Curves predict(const World& world, const Ordinates& o) const override {

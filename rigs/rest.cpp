@@ -11,9 +11,9 @@ namespace {
 constexpr double never = std::numeric_limits<double>::infinity();
 
 // When a plate that sinks faster than the grain would fall lets it go; `never` where it does not.
-double lift_off(const DropWorld& world, double t) {
+double lift_off(const DropWorld& world, double hold, double t) {
     const Vibration& plate = world.grain->vibration;
-    const double peak = plate.amplitude * plate.omega * plate.omega, hold = world.holding();
+    const double peak = plate.amplitude * plate.omega * plate.omega;
     if (!(peak > hold)) return never;
     const double turn = 2.0 * std::numbers::pi, at = std::asin(hold / peak);
     const double phase = std::fmod(std::fmod(plate.omega * t + plate.phase, turn) + turn, turn);
@@ -35,7 +35,8 @@ void stay(const DropWorld& world, DropState& s, DropRows& out) {
                              .mass = g.mass,
                              .further = {}};
     const bool moving = g.vibration.amplitude > 0.0;
-    const double end = moving && g.work_of_adhesion == 0.0 ? lift_off(world, s.t) : never;
+    const double end =
+        moving && g.work_of_adhesion == 0.0 ? lift_off(world, world.grip(s), s.t) : never;
     const auto on_it = [&](const OnPlate& p) {
         DropState r = s;
         r.t = p.t, r.x = p.s, r.vx = p.v, r.w = p.w;

@@ -23,6 +23,10 @@ std::set<std::string> incline_effects();
 std::set<std::string> impact_effects();
 std::set<std::string> pull_off_effects();
 
+// Throws scaling::InvalidInput where the model holds physics that no rig with a single grain shows. What acts in some of them
+// only (docs/effects.md) is no mistake in the others: a case may hold several rigs.
+void refuse_physics_of_many(const cases::Case&, const std::string& rig);
+
 // Ordinates in rising order without those that are no number, and where each came from: a rig runs through time only once.
 struct InOrder {
     explicit InOrder(const std::vector<double>& at);

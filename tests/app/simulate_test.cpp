@@ -83,3 +83,32 @@ TEST_CASE("simulate: a drop writes its channels at the recording's own times", "
     REQUIRE(std::sscanf(csv.c_str() + csv.rfind("\n0.1,") + 1, "%lf,%lf,%lf", &t, &z, &x) == 3);
     CHECK(z == Approx(0.05095).epsilon(1e-9));  // a parabola carried in one go: round-off
 }
+
+TEST_CASE("simulate: the other rigs with a single grain write their channels", "[app][simulate]") {
+    const Folder f;
+    std::string text = tiny_case(
+        R"([{"id": "pile", "rig": "pile",
+    "conditions": {"base": "glued_grains", "base_diameter": "10 mm", "grains": 300}}])",
+        R"([{"id": "plane", "rig": "incline", "conditions": {"angle": "10 deg"}},
+            {"id": "thrown", "rig": "impact", "conditions": {"speed": "1 m/s"}},
+            {"id": "curve", "rig": "pull_off", "conditions": {"counterpart": "plate", "preload": "1 mN"}}])");
+    const std::string with_plate =
+        "\"plate\": {\"youngs_modulus\": \"70 GPa\", \"poisson_ratio\": 0.3},\n  ";
+    text.insert(text.find("\"model\""), with_plate);
+    const std::string more = R"(, "adhesion", "rolling_resistance")";  // it would stay where it is
+    text.erase(text.find(more), more.size());
+    const Outcome o = similitude(
+        {"simulate", f.write("case.json", text), "--out", f / "out", "--report", f / "page.html"});
+    INFO(o.err);
+    REQUIRE(o.code == 0);
+    // 5/7 g sin(10 degrees), two seconds.
+    double t = 0, s = 0;
+    const std::string csv = contents(f / "out/plane.csv");
+    REQUIRE(std::sscanf(csv.c_str() + csv.rfind("\n2,") + 1, "%lf,%lf", &t, &s) == 2);
+    CHECK(s == Approx(0.5 * 4.0 * 5.0 / 7.0 * 9.81 * 0.17364817766693).epsilon(1e-9));
+    CHECK(contents(f / "out/thrown.csv")
+              .find("angle [rad],normal_restitution,rebound_angle [rad],"
+                    "rebound_spin [rad/s],tangential_restitution\n") == 0);
+    CHECK(contents(f / "out/curve.csv").find("separation [m],force [N],branch\n") == 0);
+    CHECK(contents(f / "page.html").find("force against separation") != std::string::npos);
+}
