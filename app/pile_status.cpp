@@ -16,18 +16,18 @@ double expected_work(const rigs::PileSetup& setup, std::size_t glued, double ste
 }
 
 std::string pile_status(const std::string& id, const rigs::PileRun& run,
-                        const rigs::PileSetup& setup, double speed) {
+                        const rigs::PileSetup& setup, double speed, double awake) {
     using reports::count, reports::number, reports::quantity;
     const dem_min::Simulation& s = run.simulation;
     return fmt::format(
         "{}: step {}, {}, {}/{} fed, {} lost, kinetic {}, overlap {} % of R*, {} contacts/grain, "
-        "{} "
-        "grain-steps/s",
+        "{} grain-steps/s{}",
         id, count(static_cast<double>(s.steps)), quantity(s.time(), "s"),
         count(static_cast<double>(run.fed)), count(static_cast<double>(setup.feed_time.size())),
         count(static_cast<double>(s.past.grains_lost)), quantity(dem_min::kinetic_energy(s), "J"),
         number(100.0 * dem_min::largest_overlap(s)), number(dem_min::mean_coordination(s)),
-        number(speed));
+        number(speed),
+        setup.sleep_speed > 0.0 ? fmt::format(", {} % awake", number(100.0 * awake)) : "");
 }
 
 }  // namespace app

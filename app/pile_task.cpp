@@ -42,6 +42,7 @@ struct State {
     std::uint64_t fingerprint;
     std::int64_t steps, still_since;
     std::size_t fed;
+    rigs::GrainSteps while_fed;
     bool at_rest, finished;
     double seconds;
     nlohmann::json dump;
@@ -56,6 +57,7 @@ State read_state(const PileTask& task) {
                 j.at("steps"),
                 j.at("still_since"),
                 j.at("fed"),
+                {j.at("while_fed").at(0), j.at("while_fed").at(1)},
                 j.at("at_rest"),
                 j.at("finished"),
                 j.at("seconds"),
@@ -91,6 +93,7 @@ void write_state(const PileTask& task, const rigs::PileRun& run, const Dump& dum
                               {"steps", steps},
                               {"still_since", run.still_since},
                               {"fed", run.fed},
+                              {"while_fed", {run.while_fed.asked, run.while_fed.slept}},
                               {"at_rest", run.at_rest},
                               {"finished", run.finished},
                               {"seconds", seconds},
@@ -112,6 +115,7 @@ double resume(rigs::PileRun& run, Dump& dump, const PileTask& task) {
     dem_min::read_checkpoint(run.simulation, checkpoint_file(task, state.steps));
     resume(dump, state.dump);
     run.fed = state.fed;
+    run.while_fed = state.while_fed;
     run.still_since = state.still_since;
     run.at_rest = state.at_rest;
     run.finished = state.finished;
@@ -133,21 +137,25 @@ double seconds_since(Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-// Grain-steps per second since it was last asked.
+// What was done since it was last asked.
 class Speed {
   public:
-    void add(std::size_t grains, std::int64_t steps) {
-        made_ += static_cast<double>(grains) * static_cast<double>(steps);
-    }
-    double since_last() {
-        const double speed = made_ / seconds_since(last_);
-        made_ = 0.0;
+    explicit Speed(rigs::GrainSteps so_far) : then_(so_far) {}
+
+    struct Since {
+        double grain_steps_per_second,
+            awake;  // awake: 1, share of the grain-steps that were not slept
+    };
+    Since since_last(rigs::GrainSteps now) {
+        const rigs::GrainSteps part{now.asked - then_.asked, now.slept - then_.slept};
+        const double speed = static_cast<double>(part.asked) / seconds_since(last_);
+        then_ = now;
         last_ = Clock::now();
-        return speed;
+        return {speed, 1.0 - part.share_slept()};
     }
 
   private:
-    double made_ = 0.0;
+    rigs::GrainSteps then_;
     Clock::time_point last_ = Clock::now();
 };
 
@@ -189,16 +197,17 @@ PileOutcome run_pile(const PileTask& task) {
     const double whole = work(rigs::expected_steps(task.setup));
     Progress progress(task.progress);
     progress.start(work(s.steps));
-    Speed speed;
+    Speed speed(run.work());
     std::int64_t part = 100;
     while (!run.finished) {
         if (s.steps == next_frame(dump)) add_frame(dump, s);
-        const std::int64_t before = s.steps;
         part = advance_part(run, task, next_frame(dump), part);
-        speed.add(s.grains.count(), s.steps - before);
-        if (progress.due())
-            progress.show(work(s.steps), whole,
-                          pile_status(task.id, run, task.setup, speed.since_last()));
+        if (progress.due()) {
+            const Speed::Since since = speed.since_last(run.work());
+            progress.show(
+                work(s.steps), whole,
+                pile_status(task.id, run, task.setup, since.grain_steps_per_second, since.awake));
+        }
         const bool stop = interrupt_flag() && !run.finished;
         if (stop || seconds_since(last_checkpoint) >= task.checkpoint_every) {
             write_state(task, run, dump, earlier + seconds_since(start));

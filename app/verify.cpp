@@ -9,6 +9,7 @@
 #include "app/verify_against.hpp"
 #include "cases/read_case.hpp"
 #include "reports/checks.hpp"
+#include "scaling/errors.hpp"
 #include "verify/exact_answers.hpp"
 #include "verify/similarity.hpp"
 
@@ -29,7 +30,9 @@ struct VerifyOptions {
     CommonOptions common;
     std::string path = "data/zirconia/case.json", out = "out";
     std::string against;  // another engine; empty: none
-    bool small = false, full = false, exact_only = false;
+    bool small = false, full = false, exact_only = false, sleep = false;
+    std::string experiment;  // with --sleep; empty: the first pile with a count of grains
+    int seeds = 0;           // a side, with --sleep; 0: 3 with --small, else 12
 };
 
 constexpr const char* examples = R"(Examples:
@@ -38,7 +41,9 @@ constexpr const char* examples = R"(Examples:
   similitude verify --exact --json -
       only the exact answers, in a few seconds
   similitude verify --against lammps --report out/lammps.html
-      our core beside LAMMPS on the same rules; with --small without the heaps)";
+      our core beside LAMMPS on the same rules; with --small without the heaps
+  similitude verify data/slow-feed --sleep --seeds 12 --json out/sleep.json
+      heaps that may sleep against heaps that stay awake, and what sleep saves)";
 
 verify::Campaign campaign_of(const VerifyOptions& o, Progress& progress) {
     const std::filesystem::path remembered = std::filesystem::path(o.out) / "similitude-heaps";
@@ -76,7 +81,7 @@ reports::Page page_of(const std::optional<cases::Case>& c, const reports::Verifi
                        .verification = v,
                        .limits = reports::limits_of(v),
                        .provenance = who};
-    if (!c) return page;
+    if (!c || v.sleep) return page;
     add_scaling(page, *c, threads);
     for (const std::string& limit : reports::limits_of(*page.study)) page.limits.push_back(limit);
     return page;
@@ -86,9 +91,8 @@ reports::Provenance provenance_of(const VerifyOptions& o, const std::string& com
                                   const reports::Verification& v) {
     reports::Provenance who = provenance(command, o.exact_only ? "" : o.path);
     who.threads = threads_of(o.common);
-    if (!v.similarity) return who;
-    for (const verify::Comparison& c : v.similarity->comparisons)
-        for (const verify::Side* side : {&c.reference, &c.scaled})
+    for (const verify::Comparison* c : reports::comparisons_of(v))
+        for (const verify::Side* side : {&c->reference, &c->scaled})
             for (const verify::PileSample& s : side->samples)
                 if (std::find(who.seeds.begin(), who.seeds.end(), s.seed) == who.seeds.end())
                     who.seeds.push_back(s.seed);
@@ -109,21 +113,46 @@ int exit_code_of(reports::Answer answer) {
     return internal_fault;
 }
 
+// The pile whose heaps may sleep.
+const cases::Experiment& pile_of(const cases::Case& c, const std::string& id) {
+    const cases::Experiment* chosen = id.empty() ? nullptr : c.find(id);
+    std::string known;
+    for (const cases::Experiment& e : c.experiments) {
+        if (e.rig != "pile") continue;
+        known += (known.empty() ? "" : ", ") + e.id;
+        const bool counted = e.conditions.at("grains").kind == cases::Value::Kind::number;
+        if (id.empty() && chosen == nullptr && counted) chosen = &e;
+    }
+    if (chosen == nullptr || chosen->rig != "pile")
+        throw scaling::InvalidInput(scaling::mistake(
+            id.empty() ? c.path + ": experiments" : "--experiment",
+            id.empty() ? "no pile with a count of grains" : id, "must be a pile of this case",
+            known.empty() ? "this case has none" : "piles: " + known));
+    return *chosen;
+}
+
+void run_heaps(const VerifyOptions& o, const cases::Case& c, reports::Verification& v) {
+    Progress progress(!o.common.quiet);
+    const verify::Campaign campaign = campaign_of(o, progress);
+    const int seeds = o.seeds > 0 ? o.seeds : o.small ? 3 : 12;
+    if (o.sleep)
+        v.sleep = verify::sleep_study(c, pile_of(c, o.experiment), seeds, o.common.seed, campaign);
+    else
+        v.similarity = verify::similarity(c, extent_of(o), o.common.seed, campaign);
+}
+
 int run(const VerifyOptions& o, const std::string& command) {
     if (!o.against.empty()) return verify_against(o.common, o.out, !o.small, command);
     std::optional<cases::Case> c;
     if (!o.exact_only) c = cases::read_case(o.path);
     watch_interrupts();
-    reports::Verification v{verify::exact_answers(), std::nullopt};
-    if (c) {
-        Progress progress(!o.common.quiet);
-        try {
-            v.similarity =
-                verify::similarity(*c, extent_of(o), o.common.seed, campaign_of(o, progress));
-        } catch (const verify::Interrupted&) {
-            fmt::print(stderr, "similitude: interrupted; the same command with --resume goes on\n");
-            return interrupted;
-        }
+    reports::Verification v{};
+    if (!o.sleep) v.checks = verify::exact_answers();
+    try {
+        if (c) run_heaps(o, *c, v);
+    } catch (const verify::Interrupted&) {
+        fmt::print(stderr, "similitude: interrupted; the same command with --resume goes on\n");
+        return interrupted;
     }
     const reports::Provenance who = provenance_of(o, command, v);
     reports::Json json = {{"format", "similitude-verification/1"}, {"tool", reports::to_json(who)}};
@@ -147,10 +176,21 @@ Verb verify_verb(CLI::App& app, const std::string& command) {
     auto* exact = verb->add_flag("--exact", options->exact_only, "no heaps");
     small->excludes(full)->excludes(exact);
     full->excludes(exact);
-    verb->add_option("--against", options->against, "our core beside another engine; no CASE")
-        ->check(CLI::IsMember({"lammps"}))
-        ->excludes(full)
-        ->excludes(exact);
+    auto* against =
+        verb->add_option("--against", options->against, "our core beside another engine; no CASE")
+            ->check(CLI::IsMember({"lammps"}))
+            ->excludes(full)
+            ->excludes(exact);
+    auto* sleep = verb->add_flag("--sleep", options->sleep,
+                                 "the case's pile with quiet regions left out, against the same "
+                                 "without; and what that saves");
+    sleep->excludes(full)->excludes(exact)->excludes(against);
+    verb->add_option("--experiment", options->experiment, "the pile for --sleep; else the first")
+        ->type_name("ID")
+        ->needs(sleep);
+    verb->add_option("--seeds", options->seeds, "heaps a side for --sleep, 12 by default")
+        ->check(CLI::Range(2, 1000))
+        ->needs(sleep);
     verb->add_option("--out", options->out, "folder in which finished heaps are remembered")
         ->type_name("DIR")
         ->capture_default_str();

@@ -55,7 +55,9 @@ std::string comparison_sentence(const verify::Comparison& c) {
 
 // What may be said where nothing failed: equivalence only where it was shown with enough seeds.
 const char* headline_of(const Verification& v, const verify::Comparison* main) {
-    if (main != nullptr && main->claims) return "The scaled pile matches the reference pile";
+    const bool claimed = main != nullptr && main->claims;
+    if (v.sleep) return "Heaps that may sleep match heaps that stay awake";
+    if (claimed) return "The scaled pile matches the reference pile";
     const bool bits = v.similarity && !v.similarity->bits.empty();
     return bits ? "The scaled pile is the reference pile to the last bit" : "All checks passed";
 }
@@ -100,20 +102,39 @@ TextTable bits_table(const Verification& v) {
     return rows;
 }
 
+std::vector<const verify::Comparison*> comparisons_of(const Verification& v) {
+    std::vector<const verify::Comparison*> all;
+    if (v.sleep) all.push_back(&v.sleep->comparison);
+    if (v.similarity)
+        for (const verify::Comparison& c : v.similarity->comparisons) all.push_back(&c);
+    return all;
+}
+
+std::string saved_text(const verify::SleepStudy& s) {
+    return fmt::format(
+        "Sleep left out {} % of the grain-steps of a heap of {} grains on average, {} % of those "
+        "while it was being fed.",
+        number(100.0 * s.saved.whole), count(s.grains), number(100.0 * s.saved.while_fed));
+}
+
 Verdict verdict_of(const Verification& v) {
     const std::vector<std::string> failed = failures(v);
-    const verify::Comparison* main = v.similarity && !v.similarity->comparisons.empty()
-                                         ? &v.similarity->comparisons.front()
-                                         : nullptr;
+    const std::vector<const verify::Comparison*> all = comparisons_of(v);
+    const verify::Comparison* main = all.empty() ? nullptr : all.front();
     if (!failed.empty())
         return {Answer::no,
                 fmt::format("{} check{} failed", failed.size(), failed.size() == 1 ? "" : "s"),
                 failed.front()};
     const std::string also = main != nullptr ? comparison_sentence(*main) : "";
     if (main != nullptr && main->answer == verify::Answer::different)
-        return {Answer::no, "The scaled pile is not the reference pile", also};
+        return {Answer::no,
+                v.sleep ? "Heaps that may sleep are not those that stay awake"
+                        : "The scaled pile is not the reference pile",
+                also};
     if (main != nullptr && main->claims && main->answer == verify::Answer::not_decided)
         return {Answer::cannot_tell, "The seeds do not decide whether the piles are alike", also};
+    if (v.sleep && !v.sleep->comparison.claims)
+        return {Answer::cannot_tell, "Too few seeds to say whether sleep changes the heap", also};
     const std::string passed = what_passed(v);
     return {Answer::yes, headline_of(v, main),
             passed + (passed.empty() || also.empty() ? "" : ". ") + also};
@@ -125,9 +146,9 @@ std::string text_of(const Verification& v) {
         fmt::format("{}\n{}\n\n", verdict.headline, wrapped(verdict.why, 100, 0)) + checks_text(v);
     const TextTable bits = bits_table(v);
     if (!bits.empty()) text += columns(bits, {false, true, true, false, false, false}) + "\n";
-    if (!v.similarity) return text;
-    for (const verify::Comparison& c : v.similarity->comparisons) {
-        const RunSection section = comparison_section(c);
+    if (v.sleep) text += wrapped(saved_text(*v.sleep), 100, 0) + "\n\n";
+    for (const verify::Comparison* c : comparisons_of(v)) {
+        const RunSection section = comparison_section(*c);
         text += fmt::format("{}: {}\n", section.name, section.verdict.headline);
         for (const std::string& note : section.notes) text += "  " + note + "\n";
         text += columns(section.quantities,

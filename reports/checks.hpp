@@ -7,6 +7,7 @@
 #include "reports/verdict.hpp"
 #include "verify/check.hpp"
 #include "verify/similarity.hpp"
+#include "verify/sleep_study.hpp"
 
 #include <optional>
 #include <string>
@@ -17,7 +18,8 @@ namespace reports {
 struct Verification {
     std::vector<verify::Check> checks;
     std::optional<verify::SimilarityResult>
-        similarity;  // its first comparison is the one that is judged
+        similarity;                             // its first comparison is the one that is judged
+    std::optional<verify::SleepStudy> sleep{};  // instead of it
 };
 
 // no: a check fails, bits differ, a control made wrong on purpose passes, or the first comparison
@@ -27,6 +29,12 @@ Verdict verdict_of(const Verification&);
 
 RunSection comparison_section(const verify::Comparison&);
 
+// Those of the verification, the one that is judged first.
+std::vector<const verify::Comparison*> comparisons_of(const Verification&);
+
+// What sleep saved, in a sentence.
+std::string saved_text(const verify::SleepStudy&);
+
 // One row per pair: scheme, h, grains, hash of either side, same or not. The first row is the
 // heading; empty without pairs.
 TextTable bits_table(const Verification&);
@@ -35,7 +43,7 @@ TextTable bits_table(const Verification&);
 std::string tolerance_text(const verify::Check&);
 
 // checks: every one with expected, got, unit, tolerance, relative, reason, source, passed, the bits
-// pairs among them; comparisons: sides with every sample, quantities with intervals; findings.
+// pairs among them; comparisons: sides with every sample, quantities with intervals; findings; sleep: what it saved.
 Json to_json(const Verification&);
 
 std::string text_of(const Verification&);

@@ -46,6 +46,8 @@ Json sample_json(const verify::PileSample& s) {
             {"grains_on_base", s.grains_on_base},
             {"grains_lost", s.grains_lost},
             {"steps", s.steps},
+            {"slept", finite(s.slept)},
+            {"slept_while_fed", finite(s.slept_while_fed)},
             {"hash", fmt::format("{:016x}", s.hash)}};
 }
 
@@ -108,15 +110,21 @@ Json to_json(const Verification& v) {
     for (const verify::Check& c : v.checks) checks.push_back(check_json(c));
     if (v.similarity) {
         for (const verify::BitsCheck& b : v.similarity->bits) checks.push_back(bits_json(b));
-        for (const verify::Comparison& c : v.similarity->comparisons)
-            comparisons.push_back(comparison_json(c));
         findings = to_json(v.similarity->findings);
     }
-    return {{"verdict", to_string(verdict.answer)},
-            {"why", verdict.why},
-            {"checks", std::move(checks)},
-            {"comparisons", std::move(comparisons)},
-            {"findings", std::move(findings)}};
+    for (const verify::Comparison* c : comparisons_of(v))
+        comparisons.push_back(comparison_json(*c));
+    Json json = {{"verdict", to_string(verdict.answer)},
+                 {"why", verdict.why},
+                 {"checks", std::move(checks)},
+                 {"comparisons", std::move(comparisons)},
+                 {"findings", std::move(findings)}};
+    if (v.sleep)
+        json["sleep"] = {{"experiment", v.sleep->experiment},
+                         {"grains", v.sleep->grains},
+                         {"slept", finite(v.sleep->saved.whole)},
+                         {"slept_while_fed", finite(v.sleep->saved.while_fed)}};
+    return json;
 }
 
 }  // namespace reports

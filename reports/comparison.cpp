@@ -73,9 +73,9 @@ IntervalRow interval_row(const verify::Side& side, const statistics::Summary& s,
 Figure interval_figure(const verify::Comparison& c, const verify::Quantity& q, const Measured& m,
                        const std::string& id) {
     const std::string title = fmt::format("{}: {} on both sides", c.name, words(q.name));
-    const std::string description =
-        fmt::format("Reference {}, scaled {}; mean and {:.0f} % interval.", mean_text(q.reference),
-                    mean_text(q.scaled), 100.0 * confidence);
+    const std::string description = fmt::format(
+        "{} {}, {} {}; mean and {:.0f} % interval.", c.reference.label, mean_text(q.reference),
+        c.scaled.label, mean_text(q.scaled), 100.0 * confidence);
     return {interval_svg(title, description, m.axis,
                          {interval_row(c.reference, q.reference, m, 0),
                           interval_row(c.scaled, q.scaled, m, 1)},
@@ -139,8 +139,8 @@ RunSection comparison_section(const verify::Comparison& c) {
         profile_figure({group_of(c.reference), group_of(c.scaled)}, "profile-" + c.name),
         {},
         {}};
-    section.quantities = {{"quantity", "reference [95 %]", "scaled [95 %]", "difference [90 %]",
-                           "margin", "seeds needed", "verdict"}};
+    section.quantities = {{"quantity", c.reference.label + " [95 %]", c.scaled.label + " [95 %]",
+                           "difference [90 %]", "margin", "seeds needed", "verdict"}};
     for (const verify::Quantity& q : c.quantities) {
         section.quantities.push_back(quantity_row(q));
         if (const Measured* m = measured(q.name);

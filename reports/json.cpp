@@ -155,7 +155,10 @@ Json to_json(const rigs::PileRecord& r) {
     json["coordination"] = finite(r.coordination);
     json["grains_fed"] = r.grains_fed;
     json["grains_lost"] = r.grains_lost;
-    json["slept"] = r.slept;
+    json["grains_in_funnel"] = r.grains_in_funnel;
+    json["slept"] = finite(r.work.share_slept());
+    json["slept_while_fed"] = finite(r.work_while_fed.share_slept());
+    json["grain_steps"] = {{"asked", r.work.asked}, {"done", r.work.asked - r.work.slept}};
     json["steps"] = r.steps;
     json["time_step"] = finite(r.time_step);
     json["base_radius"] = finite(r.base_radius);

@@ -45,11 +45,12 @@ data provenance_data(const Provenance& p) {
 
 std::vector<RunSection> runs_of(const Page& page) {
     std::vector<RunSection> all = page.runs;
-    if (!page.verification || !page.verification->similarity) return all;
-    const verify::SimilarityResult& similarity = *page.verification->similarity;
+    if (!page.verification) return all;
     const std::size_t first = all.size();
-    for (const verify::Comparison& c : similarity.comparisons) all.push_back(comparison_section(c));
-    if (all.size() == first) return all;
+    for (const verify::Comparison* c : comparisons_of(*page.verification))
+        all.push_back(comparison_section(*c));
+    if (all.size() == first || !page.verification->similarity) return all;
+    const verify::SimilarityResult& similarity = *page.verification->similarity;
     std::string beyond;
     for (const scaling::Finding& f : similarity.findings)
         if (f.judgement != scaling::Judgement::fine)
@@ -81,8 +82,10 @@ void set_checks(data& d, const Page& page) {
 
 void set_runs(data& d, const Page& page) {
     const bool heaps = page.verification && page.verification->similarity;
-    d["runs_heading"] =
-        heaps ? "Reference and scaled heaps, laid over each other" : "What was simulated";
+    const bool sleep = page.verification && page.verification->sleep;
+    d["runs_heading"] = sleep   ? "Heaps awake and heaps that may sleep, laid over each other"
+                        : heaps ? "Reference and scaled heaps, laid over each other"
+                                : "What was simulated";
     set_list(d, "runs", runs_part(runs_of(page)));
 }
 
@@ -99,7 +102,8 @@ data sections_data(const Page& page) {
                {"effects", "effects"},
                {"numbers", "parameters and errors"},
                {"next", "what next"}};
-    const bool heaps = page.verification && page.verification->similarity;
+    const bool heaps =
+        page.verification && (page.verification->similarity || page.verification->sleep);
     if (!runs_of(page).empty()) all.emplace_back("runs", heaps ? "heaps" : "runs");
     if (has_checks(page)) all.emplace_back("checks", "checks");
     if (!page.limits.empty()) all.emplace_back("limits", "limits");
@@ -169,6 +173,10 @@ std::vector<std::string> limits_of(const scaling::ScaleStudy& study) {
 
 std::vector<std::string> limits_of(const Verification& v) {
     std::vector<std::string> limits;
+    if (v.sleep)
+        return {saved_text(*v.sleep),
+                "This holds for this pile. What sleep saves hangs on how much of a heap is quiet "
+                "while it is fed; the heap of another powder must be tested anew."};
     if (!v.similarity)
         return {
             "Exact answers test laws and core on one or two grains; they say nothing about a "

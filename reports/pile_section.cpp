@@ -138,11 +138,18 @@ RunSection pile_section(const std::string& name, const rigs::PileRecord& record)
         record.packing_fraction ? number(*record.packing_fraction)
                                 : std::string("not to be had (too small a heap)"),
         number(record.coordination), count(static_cast<double>(record.steps))));
-    if (record.slept > 0.0)
+    if (record.grains_in_funnel > 0)
         section.notes.push_back(fmt::format(
-            "sleep left out {} % of all grain-steps; without --sleep the heap is another draw from "
-            "the same chance",
-            number(100.0 * record.slept)));
+            "{} grains are still held by the funnel; they are no part of the heap, its angles and "
+            "its packing",
+            count(static_cast<double>(record.grains_in_funnel))));
+    if (record.work.slept > 0)
+        section.notes.push_back(fmt::format(
+            "sleep left out {} % of {} grain-steps, {} % of those while the heap was fed; without "
+            "--sleep the heap is another draw from the same chance",
+            number(100.0 * record.work.share_slept()),
+            count(static_cast<double>(record.work.asked)),
+            number(100.0 * record.work_while_fed.share_slept())));
     section.notes.insert(section.notes.end(), record.notes.begin(), record.notes.end());
     return section;
 }

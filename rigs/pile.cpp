@@ -20,18 +20,27 @@ using dem_min::Simulation;
 
 constexpr std::int64_t rest_check_interval = 100;  // steps
 
-std::vector<dem_min::Wall> walls(const PileConditions& c) {
-    std::vector<dem_min::Wall> result;
+// Walls of the base stand first among all: none, the disc, the disc and its rim. The funnel follows.
+std::size_t walls_of_base(const PileConditions& c) {
+    return c.base == Base::glued_grains ? 0 : c.base == Base::flat ? 1 : 2;
+}
+
+void put_walls(Simulation& s, const PileConditions& c, const cases::WallMaterials& material) {
+    const auto put = [&](dem_min::Wall wall, int its_material) {
+        s.walls.push_back(std::move(wall));
+        s.wall_material.push_back(its_material);
+    };
     const double radius = 0.5 * c.base_diameter;
-    if (c.base != Base::glued_grains) result.push_back(dem_min::disc(radius, 0.0));
-    if (c.base == Base::flat_with_rim) result.push_back(dem_min::tube(radius, 0.0, c.rim_height));
+    if (c.base != Base::glued_grains) put(dem_min::disc(radius, 0.0), material.base);
+    if (c.base == Base::flat_with_rim) put(dem_min::tube(radius, 0.0, c.rim_height), material.base);
     if (c.funnel)
-        result.push_back(dem_min::cone(0.5 * c.funnel->outlet_diameter, c.funnel->outlet_height,
-                                       0.5 * c.funnel->top_diameter,
-                                       c.funnel->outlet_height + c.funnel->height));
-    for (const dem_min::Surface& mesh : c.meshes)
-        for (dem_min::Wall& wall : dem_min::mesh_walls(mesh)) result.push_back(std::move(wall));
-    return result;
+        put(dem_min::cone(0.5 * c.funnel->outlet_diameter, c.funnel->outlet_height,
+                          0.5 * c.funnel->top_diameter, c.funnel->outlet_height + c.funnel->height),
+            material.funnel);
+    for (std::size_t k = 0; k < c.meshes.size(); ++k)
+        for (dem_min::Wall& wall : dem_min::mesh_walls(c.meshes[k]))
+            put(std::move(wall),
+                k < material.meshes.size() ? material.meshes[k] : cases::material_of_plate);
 }
 
 // The glued grains: a square lattice, one d apart, tops at z = 0, no centre farther out than the base's radius.
@@ -46,30 +55,82 @@ void glue_base(Simulation& s, const PileSetup& setup) {
         }
 }
 
-// Top of the heap: of the highest loose grain that is joined by contacts to a wall or to a glued grain. Grains that touch one
-// another in flight are no heap: to feed above them would raise the feed without end where the stream is dense at its source.
-double heap_top(const Simulation& s) {
-    std::vector<std::size_t> leader(s.grains.count() + 1);  // the last one: all that stands still
-    std::iota(leader.begin(), leader.end(), std::size_t{0});
-    const std::size_t ground = s.grains.count();
-    const auto find = [&](std::size_t k) {
-        while (leader[k] != k) k = leader[k] = leader[leader[k]];
+// Who hangs together by contacts. The last index, one beyond the grains, is all that stands still.
+class Clusters {
+  public:
+    explicit Clusters(std::size_t grains) : leader_(grains + 1) {
+        std::iota(leader_.begin(), leader_.end(), std::size_t{0});
+    }
+    void join(std::size_t a, std::size_t b) { leader_[find(a)] = find(b); }
+    bool on_the_ground(std::size_t k) { return find(k) == find(ground()); }
+    std::size_t ground() const { return leader_.size() - 1; }
+
+  private:
+    std::size_t find(std::size_t k) {
+        while (leader_[k] != k) k = leader_[k] = leader_[leader_[k]];
         return k;
-    };
-    const auto joined = [&](int grain) {
+    }
+    std::vector<std::size_t> leader_;
+};
+
+// Joined are those whose contact `counts(group, contacts, slot)`; glued grains are ground.
+template <class Counts>
+Clusters clusters(const Simulation& s, Counts&& counts) {
+    Clusters joined(s.grains.count());
+    const auto member = [&](int grain) {
         const auto k = static_cast<std::size_t>(grain);
-        return s.grains.fixed(k) ? ground : k;
+        return s.grains.fixed(k) ? joined.ground() : k;
     };
     dem_min::for_each_contact(
         s, [&](std::size_t group, const dem_min::Contacts& c, std::size_t slot) {
-            const std::size_t other = s.at_wall(group) ? ground : joined(c.j[slot]);
-            leader[find(joined(c.i[slot]))] = find(other);
+            if (!counts(group, c, slot)) return;
+            joined.join(member(c.i[slot]), s.at_wall(group) ? joined.ground() : member(c.j[slot]));
         });
+    return joined;
+}
+
+// Top of the heap: of the highest loose grain that is joined by contacts to a wall or to a glued grain. Grains that touch one
+// another in flight are no heap: to feed above them would raise the feed without end where the stream is dense at its source.
+double heap_top(const Simulation& s) {
+    Clusters joined =
+        clusters(s, [](std::size_t, const dem_min::Contacts&, std::size_t) { return true; });
     double top = 0.0;
     for (std::size_t k = 0; k < s.grains.count(); ++k)
-        if (!s.grains.fixed(k) && find(k) == find(ground))
+        if (!s.grains.fixed(k) && joined.on_the_ground(k))
             top = std::max(top, s.grains.z[k] + s.grains.radius[k]);
     return top;
+}
+
+bool inside_or_above(const Funnel& f, contact::Vec3 p) {
+    if (p.z < f.outlet_height) return false;
+    const double up = std::min(1.0, (p.z - f.outlet_height) / f.height);
+    const double radius = 0.5 * (f.outlet_diameter + up * (f.top_diameter - f.outlet_diameter));
+    return p.x * p.x + p.y * p.y < radius * radius;
+}
+
+// [grains], true for those that the funnel still holds: inside or above it, or hanging from what is, with no other way
+// to the ground by contacts. None without a funnel.
+std::vector<bool> held_by_funnel(const Simulation& s, const PileConditions& conditions) {
+    std::vector<bool> held(s.grains.count(), false);
+    if (!conditions.funnel) return held;
+    const int funnel = static_cast<int>(walls_of_base(conditions));
+    for (std::size_t k = 0; k < held.size(); ++k)
+        held[k] = !s.grains.fixed(k) && inside_or_above(*conditions.funnel, s.grains.position(k));
+    const auto is_held = [&](int grain) { return bool{held[static_cast<std::size_t>(grain)]}; };
+    const auto outside = [&](std::size_t group, const dem_min::Contacts& c, std::size_t slot) {
+        if (is_held(c.i[slot])) return false;
+        return s.at_wall(group) ? c.j[slot] != funnel : !is_held(c.j[slot]);
+    };
+    // Joined to the ground, and joined to the ground or to what is held: who hangs is in the second alone.
+    Clusters apart = clusters(s, outside);
+    Clusters together =
+        clusters(s, [](std::size_t, const dem_min::Contacts&, std::size_t) { return true; });
+    for (std::size_t k = 0; k < held.size(); ++k)
+        if (held[k]) together.join(k, together.ground());
+    for (std::size_t k = 0; k < held.size(); ++k)
+        held[k] =
+            held[k] || (!s.grains.fixed(k) && together.on_the_ground(k) && !apart.on_the_ground(k));
+    return held;
 }
 
 // The lowest height at or above `lowest` at which a sphere at (x, y) is clear of all others, by a thousandth of its reach.
@@ -98,7 +159,11 @@ void feed(PileRun& run, const PileSetup& setup) {
         const double mouth = c.funnel ? c.funnel->outlet_height + c.funnel->height : c.drop_height;
         const double lowest = std::max(mouth, heap_top(s) + 2.0 * setup.d);
         const double z = free_height(s, x, y, radius, lowest + radius);
-        dem_min::insert(s, {{x, y, z}, {}, {}, radius, setup.density, false});
+        const Materials& m = setup.materials;
+        const int material = m.of_grain.empty() ? cases::material_of_grain : m.of_grain[run.fed];
+        const double density =
+            m.density.empty() ? setup.density : m.density[static_cast<std::size_t>(material)];
+        dem_min::insert(s, {{x, y, z}, {}, {}, radius, density, false, material});
         ++run.fed;
     }
 }
@@ -158,7 +223,9 @@ PileRun begin_pile(const PileSetup& setup, int threads, bool ledger) {
                   .sleep_spin = setup.sleep_speed / (0.5 * setup.d)};
     s.between_grains = laws(setup.grains);
     s.at_walls = laws(setup.walls);
-    s.walls = walls(setup.conditions);
+    put_walls(s, setup.conditions, setup.materials.of_wall);
+    for (const PairParameters& pair : setup.materials.pairs)
+        s.particular.push_back({pair.grain, pair.partner, pair.at_wall, laws(pair.laws)});
     if (setup.conditions.base == Base::glued_grains) glue_base(s, setup);
     return run;
 }
@@ -169,6 +236,7 @@ void advance(PileRun& run, const PileSetup& setup, std::int64_t steps) {
     while (s.steps < last && !run.finished) {
         feed(run, setup);
         dem_min::advance(s, std::min(last, next_event(run, setup)) - s.steps);
+        if (run.fed < setup.feed_time.size()) run.while_fed = run.work();
         watch_rest(run, setup);
     }
 }
@@ -183,8 +251,9 @@ PileRecord record(const PileRun& run, const PileSetup& setup) {
     const Simulation& s = run.simulation;
     PileRecord result{};
     result.heap.base_radius = 0.5 * setup.conditions.base_diameter;
+    const std::vector<bool> held = held_by_funnel(s, setup.conditions);
     for (std::size_t k = 0; k < s.grains.count(); ++k) {
-        if (s.grains.fixed(k)) continue;
+        if (s.grains.fixed(k) || held[k]) continue;
         result.heap.centre.push_back(s.grains.position(k));
         result.heap.radius.push_back(s.grains.radius[k]);
     }
@@ -201,12 +270,13 @@ PileRecord record(const PileRun& run, const PileSetup& setup) {
     result.grains_fed = static_cast<std::int64_t>(run.fed);
     result.grains_lost = s.past.grains_lost;
     result.steps = s.steps;
-    result.slept = static_cast<double>(s.past.grain_steps_slept) /
-                   static_cast<double>(std::max<std::int64_t>(1, s.past.grain_steps));
+    result.work = run.work();
+    result.work_while_fed = run.while_fed;
     result.time_step = setup.time_step;
     result.base_radius = result.heap.base_radius;
     result.grain_diameter = setup.d;
     result.hash = dem_min::state_hash(s);
+    result.grains_in_funnel = std::count(held.begin(), held.end(), true);
     result.notes = setup.notes;
     return result;
 }

@@ -43,12 +43,29 @@ PileConditions pile_conditions(const cases::Experiment&);
 // Grains per second such that a twentieth of the stream is solid where it meets the base. d in m, gravity in m/s^2.
 double default_feed_rate(const PileConditions&, double d, double gravity);
 
-// Everything that a run needs. `d` is the grain's nominal diameter.
+// The physics of two materials where it is not that of all other grains, or of all other grains and walls.
+struct PairParameters {
+    int grain,
+        partner;  // numbers of cases/materials.hpp; the partner's is that of a grain, or of a wall
+    bool at_wall;
+    ContactParameters laws;
+};
+
+// Where not all is of one material. Empty lists: all grains of the grain's, all walls of the plate's.
+struct Materials {
+    std::vector<PairParameters> pairs;
+    std::vector<int> of_grain;    // [grains]
+    std::vector<double> density;  // kg/m^3, [materials]
+    cases::WallMaterials of_wall;
+};
+
+// Everything that a run needs. `density` is that of the grain's material, `d` is the grain's nominal diameter.
 struct PileSetup {
     PileConditions conditions;
     double d, density;  // m, kg/m^3
     double gravity;     // m/s^2, along -z
     ContactParameters grains, walls;
+    Materials materials = {};
     double time_step, skin, lost_below;  // s, m, m
     double rest_duration;                // s, sqrt(1000 d/g)
     double longest;                      // s: a run that has not come to rest by then is given up
@@ -71,12 +88,23 @@ void choose_steps(PileSetup&);
 // heap counts as at rest. m/s.
 double speed_of_rest(const PileSetup&);
 
-// Draws feeding instants, places and sizes.
+// Draws feeding instants, places, sizes and, where sizes have materials of their own, these.
 void choose_feed(PileSetup&, const cases::Grain& sizes, std::uint64_t seed);
+
+// Densities and pairs of what the feed has drawn (rigs/pile_materials.cpp). `s.grains` and `s.walls` must be there.
+void choose_materials(PileSetup&, const cases::Case&, const cases::Experiment&);
 
 // The same setup in the units of the scaled system: every double times the factor of its quantity. Where the factors are powers
 // of two the result is exact, and so are all the bits of the run.
 PileSetup scaled(const PileSetup&, const scaling::ScaleMap&);
+
+// Grains times steps: asked for, and left out of that by sleep.
+struct GrainSteps {
+    std::int64_t asked = 0, slept = 0;
+    double share_slept() const {
+        return asked > 0 ? static_cast<double>(slept) / static_cast<double>(asked) : 0.0;
+    }
+};
 
 // A run between two pauses.
 struct PileRun {
@@ -84,6 +112,10 @@ struct PileRun {
     std::size_t fed = 0;            // grains that have appeared
     std::int64_t still_since = -1;  // step since which the heap has been at rest; -1: moving
     bool finished = false, at_rest = false;
+    GrainSteps while_fed{};  // of `work` so far, what fell before the last grain was due
+    GrainSteps work() const {
+        return {simulation.past.grain_steps, simulation.past.grain_steps_slept};
+    }
 };
 
 PileRun begin_pile(const PileSetup&, int threads, bool ledger = false);
@@ -95,15 +127,15 @@ void advance(PileRun&, const PileSetup&, std::int64_t steps);
 std::int64_t expected_steps(const PileSetup&);
 
 struct PileRecord {
-    Heap heap;
+    Heap heap;  // without what a funnel still holds
     bool at_rest;
     Formed formed;
     std::vector<std::pair<Estimator, std::optional<Angle>>> angles;
     RadialProfile profile;
     std::optional<double> packing_fraction;
     double coordination;
-    std::int64_t grains_fed, grains_lost, steps;
-    double slept;                        // 1, share of all grain-steps left out by sleep
+    std::int64_t grains_fed, grains_lost, grains_in_funnel, steps;
+    GrainSteps work, work_while_fed;
     double time_step;                    // s
     double base_radius, grain_diameter;  // m
     std::uint64_t hash;                  // of the final state in the setup's own units

@@ -44,14 +44,19 @@ double diameter_by_number(const std::vector<std::pair<double, Length>>& cumulati
            std::sqrt(inverse_square(k - 1) - share * (inverse_square(k - 1) - inverse_square(k)));
 }
 
-double draw_diameter(const cases::Grain& grain, double u) {
-    if (!grain.size_distribution.empty()) return diameter_by_number(grain.size_distribution, u);
-    double below = 0.0;
-    for (const auto& [diameter, fraction] : grain.sizes) {
-        below += fraction;
-        if (u < below) return diameter.value();
-    }
-    return grain.sizes.empty() ? grain.diameter.value.value() : grain.sizes.back().first.value();
+struct Drawn {
+    double diameter;
+    int material;
+};
+
+Drawn draw(const cases::Grain& grain, double u) {
+    if (!grain.size_distribution.empty())
+        return {diameter_by_number(grain.size_distribution, u), cases::material_of_grain};
+    if (grain.sizes.empty()) return {grain.diameter.value.value(), cases::material_of_grain};
+    double below = grain.sizes.front().second;
+    std::size_t k = 0;
+    while (k + 1 < grain.sizes.size() && u >= below) below += grain.sizes[++k].second;
+    return {grain.sizes[k].first.value(), grain.size_material[k]};
 }
 
 }  // namespace
@@ -133,6 +138,7 @@ PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment,
     s.walls.restitution = model.wall_value_or("restitution", 1.0);
     s.grains.rigid_tangential = s.walls.rigid_tangential = rigid;
     choose_feed(s, experiment.grain, seed);
+    choose_materials(s, c, experiment);
     choose_steps(s);
     return s;
 }
@@ -143,9 +149,11 @@ void choose_feed(PileSetup& s, const cases::Grain& sizes, std::uint64_t seed) {
     const dem_min::RandomStream places{seed, feeding_places}, diameters{seed, grain_sizes};
     const auto count = static_cast<std::size_t>(s.conditions.grains);
     s.feed_time.resize(count), s.feed_x.resize(count), s.feed_y.resize(count),
-        s.radius.resize(count);
+        s.radius.resize(count), s.materials.of_grain.resize(count);
     for (std::size_t k = 0; k < count; ++k) {
-        s.radius[k] = 0.5 * draw_diameter(sizes, diameters.uniform(k));
+        const Drawn drawn = draw(sizes, diameters.uniform(k));
+        s.radius[k] = 0.5 * drawn.diameter;
+        s.materials.of_grain[k] = drawn.material;
         const double room = std::max(0.0, 0.5 * s.conditions.feed_diameter - s.radius[k]);
         const double r = room * std::sqrt(places.uniform(2 * k));
         const double angle = 2.0 * std::numbers::pi * places.uniform(2 * k + 1);
@@ -161,13 +169,22 @@ void choose_steps(PileSetup& s) {
     const double nu = 0.3;
     const double fall =
         s.conditions.funnel ? s.conditions.funnel->outlet_height : s.conditions.drop_height;
-    const dem_min::StepLimits limits = dem_min::step_limits(
-        {.radius = smallest,
-         .density = s.density,
-         .youngs_modulus = 2.0 * (1.0 - nu * nu) * std::max(s.grains.e_star, s.walls.e_star / 2.0),
-         .poisson_ratio = nu,
-         .work_of_adhesion = std::max(s.grains.work_of_adhesion, s.walls.work_of_adhesion),
-         .fastest_impact = std::sqrt(2.0 * s.gravity * fall)});
+    double e_star = std::max(s.grains.e_star, s.walls.e_star / 2.0), density = s.density;
+    double work_of_adhesion = std::max(s.grains.work_of_adhesion, s.walls.work_of_adhesion);
+    for (const PairParameters& pair : s.materials.pairs) {
+        e_star = std::max(e_star, pair.at_wall ? pair.laws.e_star / 2.0 : pair.laws.e_star);
+        work_of_adhesion = std::max(work_of_adhesion, pair.laws.work_of_adhesion);
+    }
+    for (const int number : s.materials.of_grain)
+        if (!s.materials.density.empty())
+            density = std::min(density, s.materials.density[static_cast<std::size_t>(number)]);
+    const dem_min::StepLimits limits =
+        dem_min::step_limits({.radius = smallest,
+                              .density = density,
+                              .youngs_modulus = 2.0 * (1.0 - nu * nu) * e_star,
+                              .poisson_ratio = nu,
+                              .work_of_adhesion = work_of_adhesion,
+                              .fastest_impact = std::sqrt(2.0 * s.gravity * fall)});
     s.time_step = limits.shortest();
     s.skin = 0.2 * s.d;
     s.lost_below = -3.0 * s.d;
@@ -194,6 +211,11 @@ PileSetup scaled(const PileSetup& original, const scaling::ScaleMap& map) {
     times(map.factor("youngs_modulus"), s.grains.e_star, s.grains.g_star, s.walls.e_star,
           s.walls.g_star);
     times(map.factor("work_of_adhesion"), s.grains.work_of_adhesion, s.walls.work_of_adhesion);
+    for (PairParameters& pair : s.materials.pairs) {
+        times(map.factor("youngs_modulus"), pair.laws.e_star, pair.laws.g_star);
+        times(map.factor("work_of_adhesion"), pair.laws.work_of_adhesion);
+    }
+    for (double& density : s.materials.density) times(map.factor("density"), density);
     times(map.factor("contact_time"), s.time_step);
     times(length / time, s.sleep_speed);
     times(time, s.rest_duration, s.longest);

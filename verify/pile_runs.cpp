@@ -24,16 +24,24 @@ std::string described(const rigs::PileSetup& s) {
                                    static_cast<int>(s.conditions.base), s.conditions.grains);
     const auto add = [&](double value) { text += fmt::format(" {:a}", value); };
     const rigs::PileConditions& c = s.conditions;
-    for (const double value :
-         {c.base_diameter, c.rim_height, c.drop_height, c.feed_diameter, c.feed_rate, s.d,
-          s.density, s.gravity, s.time_step, s.skin, s.lost_below, s.rest_duration, s.longest})
+    for (const double value : {c.base_diameter, c.rim_height, c.drop_height, c.feed_diameter,
+                               c.feed_rate, s.d, s.density, s.gravity, s.time_step, s.skin,
+                               s.lost_below, s.rest_duration, s.longest, s.sleep_speed})
         add(value);
-    for (const rigs::ContactParameters* p : {&s.grains, &s.walls}) {
-        for (const double value : {p->e_star, p->g_star, p->work_of_adhesion, p->sliding_friction,
-                                   p->rolling_friction, p->restitution})
+    const auto add_laws = [&](const rigs::ContactParameters& p) {
+        for (const double value : {p.e_star, p.g_star, p.work_of_adhesion, p.sliding_friction,
+                                   p.rolling_friction, p.restitution})
             add(value);
-        text += p->rigid_tangential ? " rigid" : " elastic";
+        text += p.rigid_tangential ? " rigid" : " elastic";
+    };
+    add_laws(s.grains), add_laws(s.walls);
+    for (const rigs::PairParameters& pair : s.materials.pairs) {
+        text += fmt::format(" pair {} {} {}", pair.grain, pair.partner, pair.at_wall);
+        add_laws(pair.laws);
     }
+    text += fmt::format(" of {} {}", s.materials.of_wall.base, s.materials.of_wall.funnel);
+    for (const auto* numbers : {&s.materials.of_wall.meshes, &s.materials.of_grain})
+        for (const int number : *numbers) text += fmt::format(" {}", number);
     if (c.funnel)
         for (const double value : {c.funnel->outlet_diameter, c.funnel->top_diameter,
                                    c.funnel->height, c.funnel->outlet_height})
@@ -42,7 +50,7 @@ std::string described(const rigs::PileSetup& s) {
         for (const contact::Vec3& v : mesh.vertices) add(v.x), add(v.y), add(v.z);
         for (const auto& [i, j, k] : mesh.triangles) text += fmt::format(" {} {} {}", i, j, k);
     }
-    for (const auto* list : {&s.feed_time, &s.feed_x, &s.feed_y, &s.radius})
+    for (const auto* list : {&s.feed_time, &s.feed_x, &s.feed_y, &s.radius, &s.materials.density})
         for (const double value : *list) add(value);
     return text;
 }
@@ -70,6 +78,8 @@ PileSample sample_of(const rigs::PileRun& run, const PileJob& job, double second
     sample.grains_lost = static_cast<double>(record.grains_lost);
     sample.steps = static_cast<double>(record.steps);
     sample.seconds = seconds;
+    sample.slept = record.work.share_slept();
+    sample.slept_while_fed = record.work_while_fed.share_slept();
     for (std::size_t k = 0; k < record.profile.r.size(); ++k) {
         sample.profile_r.push_back(record.profile.r[k] / record.grain_diameter);
         sample.profile_z.push_back(record.profile.z[k] / record.grain_diameter);
@@ -92,7 +102,8 @@ std::string to_text(const PileSample& s) {
     line("flags", {s.formed ? 1.0 : 0.0, s.at_rest ? 1.0 : 0.0});
     line("angle_deg", optional(s.angle_deg));
     line("packing_fraction", optional(s.packing_fraction));
-    line("numbers", {s.coordination, s.grains_on_base, s.grains_lost, s.steps, s.seconds});
+    line("numbers", {s.coordination, s.grains_on_base, s.grains_lost, s.steps, s.seconds, s.slept,
+                     s.slept_while_fed});
     line("profile_r", s.profile_r);
     line("profile_z", s.profile_z);
     text += fmt::format("hash {}\nend\n", s.hash);
@@ -128,10 +139,11 @@ std::optional<PileSample> remembered(const PileJob& job, const std::filesystem::
     s.profile_z = line("profile_z");
     std::string word, end;
     in >> word >> s.hash >> end;
-    if (!in || end != "end" || flags.size() != 2 || numbers.size() != 5) return {};
+    if (!in || end != "end" || flags.size() != 2 || numbers.size() != 7) return {};
     s.formed = flags[0] != 0.0, s.at_rest = flags[1] != 0.0;
     s.coordination = numbers[0], s.grains_on_base = numbers[1], s.grains_lost = numbers[2];
     s.steps = numbers[3], s.seconds = numbers[4];
+    s.slept = numbers[5], s.slept_while_fed = numbers[6];
     return s;
 }
 

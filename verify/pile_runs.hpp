@@ -32,8 +32,9 @@ struct PileSample {
     std::optional<double> packing_fraction;
     double coordination = 0.0;
     double grains_on_base = 0.0, grains_lost = 0.0, steps = 0.0, seconds = 0.0;
-    std::vector<double> profile_r, profile_z;  // mean profile, in d
-    std::uint64_t hash = 0;                    // of the final state, in the job's units
+    double slept = 0.0, slept_while_fed = 0.0;  // 1, shares of the grain-steps
+    std::vector<double> profile_r, profile_z;   // mean profile, in d
+    std::uint64_t hash = 0;                     // of the final state, in the job's units
 };
 
 struct Campaign {

@@ -17,13 +17,8 @@
 namespace verify {
 namespace {
 
-constexpr double power = 0.95;
 constexpr int paper_seeds =
     6;  // a side: enough for differences well beyond the margins, which is what the scheme is asked for
-
-double youngs_modulus(const rigs::PileSetup& s, double poisson_ratio) {
-    return 2.0 * (1.0 - poisson_ratio * poisson_ratio) * s.grains.e_star;  // E* of two like grains
-}
 
 scaling::ScaleMap map_of(const char* scheme, double h) {
     return scaling::ScaleMap::solve(scaling::named_scheme(scheme), h);
@@ -42,109 +37,6 @@ PileJob scaled_job(const std::string& name, const cases::Case& c, const Referenc
             .setup = rigs::scaled(reference_setup(c, heap, seed), map),
             .unit_of_length = map.factor("length"),
             .unit_of_time = map.factor("time")};
-}
-
-Side side_of(const std::string& label, const PileJob& job, double poisson_ratio) {
-    const rigs::PileSetup& s = job.setup;
-    Side side{};
-    side.label = label;
-    side.diameter = s.d;
-    side.gravity = s.gravity;
-    side.youngs_modulus = youngs_modulus(s, poisson_ratio);
-    side.work_of_adhesion = s.grains.work_of_adhesion;
-    const double weight = s.density * std::numbers::pi / 6.0 * s.d * s.d * s.d * s.gravity;
-    side.bond_number = 1.5 * std::numbers::pi * s.grains.work_of_adhesion * (0.25 * s.d) / weight;
-    side.elasticity = side.youngs_modulus / (s.density * s.gravity * s.d);
-    return side;
-}
-
-// A group of jobs that differ in the seed alone, and where their samples stand in the list of all.
-struct Group {
-    std::vector<PileJob> jobs;
-    std::size_t first = 0;
-};
-
-class Plan {
-  public:
-    std::size_t add(std::vector<PileJob> jobs) {
-        groups_.push_back({std::move(jobs), all_.size()});
-        all_.insert(all_.end(), groups_.back().jobs.begin(), groups_.back().jobs.end());
-        return groups_.size() - 1;
-    }
-    void run(const Campaign& campaign) { samples_ = run_piles(all_, campaign); }
-    const PileJob& job(std::size_t group) const { return groups_[group].jobs.front(); }
-    std::vector<PileSample> samples(std::size_t group) const {
-        const Group& g = groups_[group];
-        const auto from = samples_.begin() + static_cast<std::ptrdiff_t>(g.first);
-        return {from, from + static_cast<std::ptrdiff_t>(g.jobs.size())};
-    }
-
-  private:
-    std::vector<Group> groups_;
-    std::vector<PileJob> all_;
-    std::vector<PileSample> samples_;
-};
-
-statistics::Summary summary_of(const std::vector<PileSample>& samples,
-                               const std::string& quantity) {
-    std::vector<double> values;
-    for (const PileSample& sample : samples) {
-        if (quantity == "angle_of_repose" && sample.angle_deg) values.push_back(*sample.angle_deg);
-        if (quantity == "packing_fraction" && sample.packing_fraction)
-            values.push_back(*sample.packing_fraction);
-        if (quantity == "coordination") values.push_back(sample.coordination);
-    }
-    return statistics::summary(values);
-}
-
-Quantity compare(const std::string& name, const std::string& unit, double margin, double alpha,
-                 const Side& reference, const Side& scaled) {
-    Quantity q{};
-    q.name = name;
-    q.unit = unit;
-    q.reference = summary_of(reference.samples, name);
-    q.scaled = summary_of(scaled.samples, name);
-    if (q.reference.count < 2 || q.scaled.count < 2) {
-        q.test.margin = margin;
-        q.test.alpha = alpha;
-        q.test.p = 1.0;
-        return q;
-    }
-    q.test = statistics::two_one_sided_tests(q.reference, q.scaled, margin, alpha);
-    const double pooled =
-        std::sqrt(0.5 * (q.reference.standard_deviation * q.reference.standard_deviation +
-                         q.scaled.standard_deviation * q.scaled.standard_deviation));
-    q.seeds_for_power = statistics::seeds_per_side(pooled, margin, power, alpha);
-    return q;
-}
-
-Comparison compare(const std::string& name, const std::string& what_differs, Side reference,
-                   Side scaled, const Margins& m) {
-    Comparison c{.name = name,
-                 .what_differs = what_differs,
-                 .reference = std::move(reference),
-                 .scaled = std::move(scaled),
-                 .quantities = {},
-                 .answer = Answer::not_decided,
-                 .must_differ = false,
-                 .claims = true};
-    c.quantities = {
-        compare("angle_of_repose", "deg", m.angle_deg, m.alpha, c.reference, c.scaled),
-        compare("packing_fraction", "1", m.packing_fraction, m.alpha, c.reference, c.scaled),
-        compare("coordination", "1", m.coordination, m.alpha, c.reference, c.scaled),
-    };
-    bool all_inside = true, some_outside = false;
-    for (const Quantity& q : c.quantities) {
-        const std::size_t least = std::min(q.reference.count, q.scaled.count);
-        c.claims = c.claims && least >= 2 && q.seeds_for_power > 0 && least >= q.seeds_for_power;
-        all_inside = all_inside && q.test.equivalent;
-        some_outside = some_outside || q.test.interval.low > q.test.margin ||
-                       q.test.interval.high < -q.test.margin;
-    }
-    c.answer = some_outside ? Answer::different
-               : all_inside ? Answer::equivalent
-                            : Answer::not_decided;
-    return c;
 }
 
 // What the softened grain of both sides can be trusted for; similar sides have the same findings.
@@ -170,13 +62,6 @@ BitsCheck bits_check(const char* scheme, double h, const PileSample& reference,
             .scaled = scaled.hash,
             .equal =
                 reference.hash == scaled.hash && reference.grains_on_base == scaled.grains_on_base};
-}
-
-std::vector<PileJob> jobs(int seeds, std::uint64_t first,
-                          const std::function<PileJob(std::uint64_t)>& make) {
-    std::vector<PileJob> result;
-    for (int k = 0; k < seeds; ++k) result.push_back(make(first + static_cast<std::uint64_t>(k)));
-    return result;
 }
 
 // The two controls: a scaled pile with one parameter wrong must not pass as equivalent.
@@ -234,18 +119,6 @@ PileJob paper_job(std::size_t variant, const cases::Case& c, const ReferenceHeap
 int seeds_of(Extent extent) { return extent == Extent::small ? 3 : 30; }
 
 }  // namespace
-
-const char* to_string(Answer answer) {
-    switch (answer) {
-        case Answer::equivalent:
-            return "equivalent";
-        case Answer::different:
-            return "different";
-        case Answer::not_decided:
-            return "not decided";
-    }
-    return "";
-}
 
 rigs::PileSetup reference_setup(const cases::Case& c, const ReferenceHeap& heap,
                                 std::uint64_t seed) {

@@ -8,8 +8,7 @@
 #include "cases/case.hpp"
 #include "rigs/pile.hpp"
 #include "scaling/adhesion.hpp"
-#include "statistics/equivalence.hpp"
-#include "verify/pile_runs.hpp"
+#include "verify/comparison.hpp"
 
 #include <string>
 #include <vector>
@@ -27,13 +26,6 @@ struct ReferenceHeap {
     double elasticity = 1e5;  // E/(rho g d), softened equally on both sides
 };
 
-// Margins, stated before any pile was run: half of the 5 deg by which readings of one heap differ in the paper (50, 55, 56 deg);
-// 3 % of the packing fraction and 5 % of the contacts of a loose sticky heap.
-struct Margins {
-    double angle_deg = 2.5, packing_fraction = 0.01, coordination = 0.15;
-    double alpha = 0.05;
-};
-
 // d, density, Poisson ratio, frictions and restitution of the case; one size, as in the paper. The work of adhesion is such that
 // the grain scaled by the case's h under kept gravity has the case's scaled_work_of_adhesion.
 rigs::PileSetup reference_setup(const cases::Case&, const ReferenceHeap&, std::uint64_t seed);
@@ -44,39 +36,6 @@ struct BitsCheck {
     std::size_t grains;  // compared, with all their velocities, spins and contact springs
     std::uint64_t reference, scaled;  // hashes of the final states, each in its own units
     bool equal;
-};
-
-struct Side {
-    std::string label;               // "reference, d = 1.2 um"
-    double diameter;                 // m
-    double gravity, youngs_modulus;  // m/s^2, Pa
-    double work_of_adhesion;         // J/m^2
-    double bond_number;              // F_po/(m g)
-    double elasticity;               // E/(rho g d)
-    std::vector<PileSample> samples;
-};
-
-struct Quantity {
-    std::string name, unit;
-    statistics::Summary reference, scaled;
-    statistics::Equivalence test;
-    std::size_t
-        seeds_for_power;  // a side, for 95 % power at the pooled spread; 0: no number of seeds is enough
-};
-
-enum class Answer { equivalent, different, not_decided };
-
-struct Comparison {
-    std::string name;          // "kept_gravity, h = 200"
-    std::string what_differs;  // in words
-    Side reference, scaled;
-    std::vector<Quantity> quantities;  // angle_of_repose, packing_fraction, coordination
-    // equivalent: all three inside their margins; different: some interval wholly outside its margin.
-    Answer answer;
-    bool
-        must_differ;  // a control, made wrong on purpose: passing as equivalent would show that the test sees nothing
-    bool
-        claims;  // enough seeds for 95 % power: otherwise intervals are shown and nothing is claimed
 };
 
 struct SimilarityResult {
@@ -94,7 +53,5 @@ enum class Extent { small, standard, full };
 // full: also the other undistorted schemes, the two controls that must fail (w off by 30 %, friction off by 20 %) and the
 // scheme `paper` under every invariant.
 SimilarityResult similarity(const cases::Case&, Extent, std::uint64_t first_seed, const Campaign&);
-
-const char* to_string(Answer);
 
 }  // namespace verify

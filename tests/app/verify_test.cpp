@@ -25,3 +25,41 @@ TEST_CASE("verify: --small, --full and --exact exclude each other", "[app][verif
     CHECK(similitude({"verify", "--small", "--full"}).code == 2);
     CHECK(similitude({"verify", "--exact", "--full"}).code == 2);
 }
+
+TEST_CASE("verify: --sleep compares heaps that may sleep with heaps that stay awake",
+          "[app][verify][sleep]") {
+    const Folder f;
+    const std::string path = f.write("case.json", tiny_case("\"grains\": 300", "\"grains\": 60"));
+    const Outcome o = similitude({"verify", path, "--sleep", "--seeds", "3", "--out", f / "out",
+                                  "--json", "-", "--report", f / "page.html"});
+    INFO(o.err);
+    // What three seeds of so small a heap say is chance.
+    CHECK((o.code == 0 || o.code == 3 || o.code == 4));
+    const auto json = o.json();
+    REQUIRE(json.at("comparisons").size() == 1);
+    const auto& comparison = json.at("comparisons").at(0);
+    CHECK(comparison.at("reference").at("label") == "awake");
+    CHECK(comparison.at("reference").at("samples").size() == 3);
+    CHECK(comparison.at("scaled").at("samples").size() == 3);
+    CHECK(comparison.at("quantities").size() == 3);
+    for (const auto& sample : comparison.at("reference").at("samples"))
+        CHECK(sample.at("slept") == 0.0);
+    for (const auto& sample : comparison.at("scaled").at("samples")) {
+        CHECK(sample.at("slept").get<double>() > 0.0);  // all of it sleeps while rest is waited for
+        CHECK(sample.at("slept").get<double>() < 1.0);
+    }
+    CHECK(json.at("sleep").at("grains") == 60);
+    CHECK(contents(f / "page.html").find("may sleep") != std::string::npos);
+}
+
+TEST_CASE("verify: --sleep needs a pile with a count of grains", "[app][verify][sleep][input]") {
+    const Folder f;
+    const std::string path =
+        f.write("case.json", tiny_case("\"grains\": 300", "\"grains\": \"until_it_spills\""));
+    const Outcome o = similitude({"verify", path, "--sleep", "--out", f / "out"});
+    CHECK(o.code == 2);
+    CHECK(o.err.find("must be a pile of this case") != std::string::npos);
+    CHECK(similitude({"verify", path, "--sleep", "--experiment", "pil", "--out", f / "out"}).code ==
+          2);
+    CHECK(similitude({"verify", path, "--seeds", "3"}).code == 2);
+}
