@@ -92,14 +92,13 @@ Json point_json(const bench::ScalingPoint& p) {
                  {"threads", p.threads},
                  {"seconds_per_grain_step", to_json(p.grain_step)},
                  {"contacts_per_grain", p.contacts}};
-    if (!p.memory) return json;
-    json["bytes"] = {
-        {"grains", p.memory->grains}, {"contacts", p.memory->contacts}, {"lists", p.memory->lists}};
-    json["bytes_per_grain"] = p.memory->grains / p.grains;
-    json["bytes_per_contact"] =
-        p.contacts > 0.0 ? Json(p.memory->contacts / (p.contacts * p.grains)) : Json(nullptr);
-    json["moved_per_grain_step"] = *p.moved();
-    json["moved_per_second"] = *p.moved() / p.grain_step.median;
+    json["bytes"] = {{"grains", p.memory.bytes_grains},
+                     {"contacts", p.memory.bytes_contacts},
+                     {"lists", p.memory.bytes_lists}};
+    json["bytes_per_grain"] = p.bytes_per_grain();
+    json["bytes_per_contact"] = p.contacts > 0.0 ? Json(p.bytes_per_contact()) : Json(nullptr);
+    json["moved_per_grain_step"] = p.moved();
+    json["moved_per_second"] = p.moved() / p.grain_step.median;
     json["triad_of_that_size"] = p.triad;
     return json;
 }

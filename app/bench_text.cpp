@@ -66,28 +66,21 @@ std::vector<std::string> notes_of(const bench::Comparison& c) {
 
 TextTable table_of(const bench::ScalingStudy& s) {
     TextTable t = {{"grains", "threads", "ns per grain-step", "contacts/grain", "B/grain",
-                    "B/contact", "moved, GB/s", "triad, GB/s"}};
-    const auto known = [](bool is, double value) {
-        return is ? reports::number(value) : std::string("unknown");
-    };
-    for (const bench::ScalingPoint& p : s.points) {
-        const bool m = p.memory.has_value();
-        t.push_back(
-            {reports::count(p.grains), fmt::format("{}", p.threads),
-             spread_text(p.grain_step, nano), reports::number(p.contacts),
-             known(m, m ? p.memory->grains / p.grains : 0.0),
-             known(m && p.contacts > 0.0, m ? p.memory->contacts / (p.contacts * p.grains) : 0.0),
-             known(m, m ? *p.moved() / p.grain_step.median / giga : 0.0),
-             known(m, p.triad / giga)});
-    }
+                    "B/contact", "moved, B", "moved, GB/s", "triad, GB/s"}};
+    for (const bench::ScalingPoint& p : s.points)
+        t.push_back({reports::count(p.grains), fmt::format("{}", p.threads),
+                     spread_text(p.grain_step, nano), reports::number(p.contacts),
+                     reports::number(p.bytes_per_grain()), reports::number(p.bytes_per_contact()),
+                     reports::number(p.moved()),
+                     reports::number(p.moved() / p.grain_step.median / giga),
+                     reports::number(p.triad / giga)});
     return t;
 }
 
 const char* scaling_note =
-    "Cubic lattices in contact, at rest; each contact counted once. Moved: every array of grains "
-    "and "
-    "contacts read and written once a step, every list read once; triad: STREAM's, over arrays as "
-    "large in all as the simulation.";
+    "Cubic lattices in contact, at rest; each contact counted once. Moved: what a step must read "
+    "and write at least, once each, per grain and step; triad: STREAM's, over arrays as large in "
+    "all as the simulation.";
 
 TextTable table_of(const bench::PolydisperseStudy& p) {
     TextTable t = {{"bed", "grains", "contacts/grain", "ns per contact-step", "ns per grain-step"}};

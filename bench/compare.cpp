@@ -129,7 +129,6 @@ Comparison compare(const Bed& bed, const std::vector<BedEngine>& peers, int repe
     c.ours.name = "similitude";
     c.ours.title = "similitude";
     c.ours.laws = "JKR, Mindlin with history, SDS rolling, Tsuji's dashpots";
-    if (!periodic_core()) c.ours.differs = "open at the sides, where the others are periodic";
     for (const BedEngine& e : peers) {
         const std::filesystem::path place = folder / e.name;
         std::error_code ignored;  // write says what is wrong

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bench/ours.hpp"
 
-#include "bench/core.hpp"
 #include "contact/effective.hpp"
 
 #include <algorithm>
@@ -36,13 +35,11 @@ void set_laws(dem_min::Simulation& s, const Bed& bed) {
 double seconds_for(dem_min::Simulation& s, int steps) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
-    take_steps(s, steps);
+    dem_min::advance(s, steps);
     return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
 }  // namespace
-
-bool periodic_core() { return has_periods(dem_min::Settings{}); }
 
 dem_min::Simulation simulation_of(const Bed& bed, int threads) {
     dem_min::Simulation s;
@@ -51,7 +48,8 @@ dem_min::Simulation simulation_of(const Bed& bed, int threads) {
     s.settings.gravity = bed.acceleration();
     s.settings.lost_below = -bed.height();
     s.settings.threads = threads;
-    set_periods(s.settings, bed.period_x(), bed.period_y());
+    s.settings.period_x = bed.period_x();
+    s.settings.period_y = bed.period_y();
     set_laws(s, bed);
     s.walls = {dem_min::Plane{{0.0, 0.0, 0.0}, {0.0, 0.0, 1.0}}};
     for (const Vec3& at : engines::positions(bed))

@@ -16,9 +16,6 @@ struct Interrupted {};
 // Called now and then with the share that is done, 0 to 1; throw Interrupted from it to stop.
 using Progress = std::function<void(double)>;
 
-// Whether the core that this was built with has periods; without, the bed is open at its sides.
-bool periodic_core();
-
 dem_min::Simulation simulation_of(const engines::Bed&, int threads);
 
 // So many steps, in portions between which `progress` is called (it may be empty). Wall time

@@ -37,18 +37,21 @@ ScalingPoint point_of(const Bed& bed, int threads, double grain_steps, int repea
             timed_steps(s, steps, [&](double share) { progress((1.0 + k + share) / parts); }) /
             steps / bed.grains());
     dem_min::check_finite(s);
-    ScalingPoint p{bed.grains(), threads, spread_of(costs), contacts_of(s), memory_of(s), 0.0};
+    ScalingPoint p{bed.grains(),
+                   threads,
+                   spread_of(costs),
+                   contacts_of(s),
+                   memory_use(s),
+                   static_cast<double>(bytes_moved(s)),
+                   0.0};
     s = {};  // its memory is given back before the triad takes as much
-    if (p.memory) p.triad = triad_bandwidth(p.memory->total(), threads);
+    const auto& m = p.memory;
+    p.triad = triad_bandwidth(
+        static_cast<double>(m.bytes_grains + m.bytes_contacts + m.bytes_lists), threads);
     return p;
 }
 
 }  // namespace
-
-std::optional<double> ScalingPoint::moved() const {
-    if (!memory) return std::nullopt;
-    return (2.0 * (memory->grains + memory->contacts) + memory->lists) / grains;
-}
 
 // a0^3 = 9 pi w R*^2/(2 E*), overlap a0^2/(3 R*) there: contact/jkr.hpp at zero force.
 Bed settled_bed(int nx, int ny, int nz) {

@@ -4,10 +4,8 @@
 #pragma once
 
 #include "bench/compare.hpp"
-#include "bench/core.hpp"
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,12 +17,15 @@ struct ScalingPoint {
     int grains = 0, threads = 1;
     Spread grain_step;      // s of wall time per grain and step
     double contacts = 0.0;  // per grain, each counted once
-    std::optional<Memory> memory;
-    // What a step moves at least: every array of grains and contacts read and written once, every
-    // list read once. B per grain-step.
-    std::optional<double> moved() const;
-    double triad =
-        0.0;  // B/s, arrays as large in all as this simulation; 0 where that is not known
+    dem_min::MemoryUse memory{};
+    double moved_in_a_step = 0.0;  // B, see dem_min::bytes_moved
+    double triad = 0.0;            // B/s, arrays as large in all as this simulation
+    double bytes_per_grain() const { return static_cast<double>(memory.bytes_grains) / grains; }
+    double bytes_per_contact() const {  // 0 where there are none
+        return contacts > 0.0 ? static_cast<double>(memory.bytes_contacts) / (contacts * grains)
+                              : 0.0;
+    }
+    double moved() const { return moved_in_a_step / grains; }  // B per grain-step
 };
 
 struct Triad {

@@ -4,6 +4,8 @@
 // different places, one cache line apart from the next.
 #pragma once
 
+#include "dem_min/large_pages.hpp"
+
 #include <atomic>
 #include <cstddef>
 #include <new>
@@ -20,25 +22,26 @@ struct Staggered {
 
     T* allocate(std::size_t n) {
         const std::size_t wanted = n * sizeof(T);
-        const std::size_t shift = wanted < large ? line : line * (1 + next++ % places);
-        auto* const block =
-            static_cast<std::byte*>(::operator new (wanted + shift, std::align_val_t{line}));
-        auto* const array = block + shift;
+        if (wanted < smallest_block)
+            return static_cast<T*>(::operator new (wanted, std::align_val_t{line}));
+        const std::size_t shift = line * (1 + next++ % places);
+        auto* const array = static_cast<std::byte*>(take_block(wanted + most)) + shift;
         *reinterpret_cast<std::size_t*>(array - sizeof(std::size_t)) = shift;
         return reinterpret_cast<T*>(array);
     }
-    void deallocate(T* array, std::size_t) {
+    void deallocate(T* array, std::size_t n) {
         auto* const bytes = reinterpret_cast<std::byte*>(array);
+        if (n * sizeof(T) < smallest_block)
+            return ::operator delete (bytes, std::align_val_t{line});
         const std::size_t shift = *reinterpret_cast<std::size_t*>(bytes - sizeof(std::size_t));
-        ::operator delete (bytes - shift, std::align_val_t{line});
+        give_back_block(bytes - shift, n * sizeof(T) + most);
     }
     friend bool operator==(const Staggered&, const Staggered&) { return true; }
 
   private:
-    static constexpr std::size_t line = 64,
-                                 places =
-                                     31;  // bytes; odd, so that growing arrays do not fall in step
-    static constexpr std::size_t large = 32768;  // bytes; smaller blocks lie anywhere in a page
+    static constexpr std::size_t line = 64;    // bytes
+    static constexpr std::size_t places = 31;  // odd, so that growing arrays do not fall in step
+    static constexpr std::size_t most = line * places;
     static inline std::atomic<std::size_t> next{0};
 };
 

@@ -12,7 +12,7 @@ namespace dem_min {
 namespace {
 
 constexpr std::uint64_t format =
-    0x73696d696c2f3032;  // "simil/02": raise the last digit when the layout changes
+    0x73696d696c2f3033;  // "simil/03": raise the last digit when the layout changes
 
 struct Writer {
     std::ofstream& out;

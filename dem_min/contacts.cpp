@@ -7,14 +7,14 @@ namespace {
 template <class Visit>
 void visit_state(auto& c, Visit&& each) {
     for (auto* array : {&c.r_star, &c.m_star, &c.length_scale, &c.sx, &c.sy, &c.sz, &c.rx, &c.ry,
-                        &c.rz, &c.twist, &c.previous_radius, &c.overlap})
+                        &c.rz, &c.twist, &c.previous_radius})
         each(*array);
 }
 
 template <class Visit>
 void visit_books(auto& b, Visit&& each) {
-    for (auto* array : {&b.nx, &b.ny, &b.nz, &b.dashpot, &b.fx, &b.fy, &b.fz, &b.tix, &b.tiy,
-                        &b.tiz, &b.tjx, &b.tjy, &b.tjz, &b.heat_normal, &b.heat_tangential,
+    for (auto* array : {&b.overlap, &b.nx, &b.ny, &b.nz, &b.dashpot, &b.fx, &b.fy, &b.fz, &b.tix,
+                        &b.tiy, &b.tiz, &b.tjx, &b.tjy, &b.tjz, &b.heat_normal, &b.heat_tangential,
                         &b.heat_rolling, &b.stored_tangential, &b.stored_rolling})
         each(*array);
 }

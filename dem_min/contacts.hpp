@@ -32,6 +32,7 @@ struct Dissipation {
 
 // What the energy ledger remembers of each contact; empty while it is off.
 struct ContactBooks {
+    Array overlap;                                     // m, of the last force evaluation
     Array nx, ny, nz, dashpot;                         // unit normal; N, normal damping force
     Array fx, fy, fz;                                  // N, on j
     Array tix, tiy, tiz, tjx, tjy, tjz;                // N m
@@ -45,7 +46,6 @@ struct Contacts {
     // History: tangential spring (m), rolling spring (rad or m, as the law says), twist (rad), contact radius of the
     // last step (m).
     Array sx, sy, sz, rx, ry, rz, twist, previous_radius;
-    Array overlap;  // m, of the last force evaluation
     ContactBooks books;
 
     // True while all contacts have had the same constants: they are `common` then, and loops need not read them.

@@ -32,7 +32,7 @@ double kinetic_energy(const Particles& p, std::size_t k) {
 double stored_energy(const Laws& laws, const Contacts& c, std::size_t slot) {
     return std::visit(
                [&](const auto& law) {
-                   return law.energy(c.r_star[slot], c.length_scale[slot], c.overlap[slot]);
+                   return law.energy(c.r_star[slot], c.length_scale[slot], c.books.overlap[slot]);
                },
                laws.normal) +
            c.books.stored_tangential[slot] + c.books.stored_rolling[slot];
@@ -47,7 +47,7 @@ Dissipation heat_of_end(const Laws& laws, const Contacts& c, std::size_t slot) {
     Dissipation heat = heat_so_far(c, slot);
     heat.tangential += c.books.stored_tangential[slot];
     heat.rolling += c.books.stored_rolling[slot];
-    if (c.overlap[slot] == handed_over) return heat;
+    if (c.books.overlap[slot] == handed_over) return heat;
     // The work that the pair did against adhesion between touch and tear-off, never given back.
     heat.tear_off = std::visit(
         [&](const auto& law) {

@@ -85,7 +85,7 @@ struct Drift {
     Vec3 sum_of_velocities;  // m/s
 };
 Drift begin_step(Simulation&, std::size_t tile);
-// Second half: loads that other tiles hold, weight, half a kick.
+// Second half: Tile::loads, those that other tiles hold for it, weight, half a kick.
 void end_step(Simulation&, std::size_t tile);
 // Both, of one step and of the next, in one walk over the grains.
 Drift end_and_begin_step(Simulation&, std::size_t tile);

@@ -2,17 +2,19 @@
 #include "dem_min/forces.hpp"
 #include "dem_min/vector_clones.hpp"
 
+#include <type_traits>
+
 namespace dem_min {
 namespace {
 
 // Where a block of contacts stands in memory. Raw pointers, so that the loop below sees that nothing moves.
 struct Slots {
     const double *r_star, *m_star, *length_scale;
-    double *sx, *sy, *sz, *rx, *ry, *rz, *twist, *previous_radius, *overlap;
+    double *sx, *sy, *sz, *rx, *ry, *rz, *twist, *previous_radius;
 };
 
 struct BookSlots {
-    double *nx, *ny, *nz, *dashpot;
+    double *overlap, *nx, *ny, *nz, *dashpot;
     double *fx, *fy, *fz, *tix, *tiy, *tiz, *tjx, *tjy, *tjz;
     double *heat_normal, *heat_tangential, *heat_rolling, *stored_tangential, *stored_rolling;
 };
@@ -28,12 +30,12 @@ Slots slots(Contacts& c, std::size_t k) {
             &c.ry[k],
             &c.rz[k],
             &c.twist[k],
-            &c.previous_radius[k],
-            &c.overlap[k]};
+            &c.previous_radius[k]};
 }
 
 BookSlots slots(ContactBooks& b, std::size_t k) {
-    return {&b.nx[k],
+    return {&b.overlap[k],
+            &b.nx[k],
             &b.ny[k],
             &b.nz[k],
             &b.dashpot[k],
@@ -158,7 +160,6 @@ inline void press_one(const Interaction& law, const Slots& c, Block& b, int k,
     b.elastic_force[k] = elastic.force;
     b.contact_radius[k] = elastic.contact_radius;
     b.hold[k] = overlap - law.normal.tear_off_overlap(r_star, length_scale);
-    c.overlap[k] = overlap;
 }
 
 template <bool alike, class Interaction>
@@ -180,17 +181,18 @@ inline Push push_one(const Interaction& law, const Slots& c, Block& b, int k,
 template <bool alike, class Interaction>
 inline Turn turn_one(const Interaction& law, const Slots& c, Block& b, int k,
                      const ContactConstants& common, double dt) {
+    constexpr bool twists = !std::is_same_v<decltype(law.twisting), contact::NoTwisting>;
     const ContactConstants constants = constants_of<alike>(c, b, k, common);
     const Motion m = motion(b, k, constants.r_i, constants.r_j);
     const Turn turned =
         turn(law, constants, b.contact_radius[k], b.cap_force[k], {b.qx[k], b.qy[k], b.qz[k]}, m,
-             {c.rx[k], c.ry[k], c.rz[k]}, c.twist[k], c.previous_radius[k], dt);
+             {c.rx[k], c.ry[k], c.rz[k]}, twists ? c.twist[k] : 0.0, c.previous_radius[k], dt);
     b.tix[k] = turned.torque_on_i.x, b.tiy[k] = turned.torque_on_i.y;
     b.tiz[k] = turned.torque_on_i.z;
     b.tjx[k] = turned.torque_on_j.x, b.tjy[k] = turned.torque_on_j.y;
     b.tjz[k] = turned.torque_on_j.z;
     c.rx[k] = turned.spring.x, c.ry[k] = turned.spring.y, c.rz[k] = turned.spring.z;
-    c.twist[k] = turned.twist;
+    if constexpr (twists) c.twist[k] = turned.twist;
     c.previous_radius[k] = b.contact_radius[k];
     return turned;
 }
@@ -211,11 +213,13 @@ template <class Interaction>
 void load_and_book(const Interaction law, const Slots c, const BookSlots books, Block& b, int size,
                    double dt) {
     for (int k = 0; k < size; ++k) {
-        const double overlap_before = c.overlap[k];
+        const double overlap_before = books.overlap[k];
         press_one<false>(law, c, b, k, {});
         const Push pushed = push_one<false>(law, c, b, k, {}, dt);
         const Turn turned = turn_one<false>(law, c, b, k, {}, dt);
-        add_heat(books, b, k, overlap_before, motion(b, k, b.r_i[k], b.r_j[k]), pushed, turned, dt);
+        const Motion m = motion(b, k, b.r_i[k], b.r_j[k]);
+        books.overlap[k] = m.overlap;
+        add_heat(books, b, k, overlap_before, m, pushed, turned, dt);
     }
 }
 

@@ -12,7 +12,7 @@ namespace {
 // One array each, [grains of the tile].
 struct Arrays {
     double *x, *y, *z, *vx, *vy, *vz, *wx, *wy, *wz;
-    double *fx, *fy, *fz, *tx, *ty, *tz;
+    const double *fx, *fy, *fz, *tx, *ty, *tz;
     const double *mass, *inverse_mass, *inverse_inertia;
 };
 
@@ -22,9 +22,22 @@ Arrays arrays(Particles& p, std::size_t k) {
             &p.tx[k], &p.ty[k], &p.tz[k], &p.mass[k], &p.inverse_mass[k], &p.inverse_inertia[k]};
 }
 
+// With the loads of this step, in which the weight is not yet.
+Arrays arrays(Particles& p, std::size_t k, const Loads& sum) {
+    Arrays all = arrays(p, k);
+    all.fx = sum.fx, all.fy = sum.fy, all.fz = sum.fz;
+    all.tx = sum.tx, all.ty = sum.ty, all.tz = sum.tz;
+    return all;
+}
+
 inline Vec3 weighed(const Arrays& p, int k, Vec3 g) {
     return {p.fx[k] + p.mass[k] * g.x, p.fy[k] + p.mass[k] * g.y, p.fz[k] + p.mass[k] * g.z};
 }
+
+// Where loads are kept from one step to the next.
+struct Kept {
+    double *fx, *fy, *fz, *tx, *ty, *tz;
+};
 
 // One grain's half kick by the force f and its torque.
 inline void kick_one(const Arrays& p, int k, Vec3 f, double half) {
@@ -33,11 +46,13 @@ inline void kick_one(const Arrays& p, int k, Vec3 f, double half) {
     p.wx[k] += b * p.tx[k], p.wy[k] += b * p.ty[k], p.wz[k] += b * p.tz[k];
 }
 
-SIMILITUDE_VECTOR_CLONES void weigh_and_kick(const Arrays p, int n, Vec3 g, double half) {
+SIMILITUDE_VECTOR_CLONES void weigh_and_kick(const Arrays p, const Kept kept, int n, Vec3 g,
+                                             double half) {
     SIMILITUDE_NO_DEPENDENCE
     for (int k = 0; k < n; ++k) {
         const Vec3 f = weighed(p, k, g);
-        p.fx[k] = f.x, p.fy[k] = f.y, p.fz[k] = f.z;
+        kept.fx[k] = f.x, kept.fy[k] = f.y, kept.fz[k] = f.z;
+        kept.tx[k] = p.tx[k], kept.ty[k] = p.ty[k], kept.tz[k] = p.tz[k];
         kick_one(p, k, f, half);
     }
 }
@@ -69,10 +84,10 @@ inline void drift_one(const Arrays& p, int k, double dt, double lowest, Vec3 fra
 // More arrays side by side than the processor follows by itself.
 constexpr int ahead = 6;  // cache lines
 inline void prefetch(const Arrays& p, int k) {
-    for (const double* array :
-         {p.x, p.y, p.z, p.vx, p.vy, p.vz, p.wx, p.wy, p.wz, p.fx, p.fy, p.fz, p.tx, p.ty, p.tz})
+    for (const double* array : {p.x, p.y, p.z, p.vx, p.vy, p.vz, p.wx, p.wy, p.wz})
         __builtin_prefetch(array + k, 1);
-    for (const double* array : {p.mass, p.inverse_mass, p.inverse_inertia})
+    for (const double* array :
+         {p.fx, p.fy, p.fz, p.tx, p.ty, p.tz, p.mass, p.inverse_mass, p.inverse_inertia})
         __builtin_prefetch(array + k, 0);
 }
 
@@ -123,15 +138,23 @@ SIMILITUDE_VECTOR_CLONES Drift finish_and_begin(const Arrays p, int n, const Set
     return walk<true>(p, n, settings, frame);
 }
 
-void add_incoming(Simulation& s, const Tile& tile) {
-    Particles& p = s.grains;
-    for (const Incoming& in : tile.inbox) {
-        const Outgoing& load =
-            s.tiles[static_cast<std::size_t>(in.tile)].outbox[static_cast<std::size_t>(in.index)];
-        const auto k = static_cast<std::size_t>(load.j);
-        p.fx[k] += load.force.x, p.fy[k] += load.force.y, p.fz[k] += load.force.z;
-        p.tx[k] += load.torque.x, p.ty[k] += load.torque.y, p.tz[k] += load.torque.z;
+// Returns all loads of the tile, those that others hold for it included.
+const Loads& add_incoming(Simulation& s, std::size_t t) {
+    Loads& sum = s.tiles[t].loads.front();
+    const int first = static_cast<int>(first_of(t));
+    const std::vector<Incoming>& inbox = s.tiles[t].inbox;
+    const auto entry = [&](const Incoming& in) {
+        return s.tiles[static_cast<std::size_t>(in.tile)].outbox.data() + in.index;
+    };
+    constexpr std::size_t far = 24;  // entries; the third-level cache answers within that
+    for (std::size_t at = 0; at < inbox.size(); ++at) {
+        if (at + far < inbox.size()) __builtin_prefetch(entry(inbox[at + far]));
+        const Outgoing& load = *entry(inbox[at]);
+        const int k = load.j - first;
+        sum.fx[k] += load.force.x, sum.fy[k] += load.force.y, sum.fz[k] += load.force.z;
+        sum.tx[k] += load.torque.x, sum.ty[k] += load.torque.y, sum.tz[k] += load.torque.z;
     }
+    return sum;
 }
 
 }  // namespace
@@ -147,14 +170,17 @@ Drift begin_step(Simulation& s, std::size_t t) {
 }
 
 void end_step(Simulation& s, std::size_t t) {
-    add_incoming(s, s.tiles[t]);
-    weigh_and_kick(arrays(s.grains, first_of(t)), grains_of(s, t), s.settings.gravity,
-                   0.5 * s.settings.time_step);
+    const Loads& sum = add_incoming(s, t);
+    Particles& p = s.grains;
+    const std::size_t k = first_of(t);
+    weigh_and_kick(arrays(p, k, sum), {&p.fx[k], &p.fy[k], &p.fz[k], &p.tx[k], &p.ty[k], &p.tz[k]},
+                   grains_of(s, t), s.settings.gravity, 0.5 * s.settings.time_step);
 }
 
 Drift end_and_begin_step(Simulation& s, std::size_t t) {
-    add_incoming(s, s.tiles[t]);
-    return finish_and_begin(arrays(s.grains, first_of(t)), grains_of(s, t), s.settings, s.frame);
+    const Loads& sum = add_incoming(s, t);
+    return finish_and_begin(arrays(s.grains, first_of(t), sum), grains_of(s, t), s.settings,
+                            s.frame);
 }
 
 }  // namespace dem_min

@@ -44,16 +44,17 @@ void begin_all(Simulation& s) {
     }
 }
 
-void add_load(Particles& p, int grain, Vec3 force, Vec3 torque) {
-    const auto k = static_cast<std::size_t>(grain);
-    p.fx[k] += force.x, p.fy[k] += force.y, p.fz[k] += force.z;
-    p.tx[k] += torque.x, p.ty[k] += torque.y, p.tz[k] += torque.z;
+void add_load(Simulation& s, int grain, Vec3 force, Vec3 torque) {
+    const auto t = static_cast<std::size_t>(tile_of(grain));
+    Loads& sum = s.tiles[t].loads.front();
+    const int k = grain - static_cast<int>(first_of(t));
+    sum.fx[k] += force.x, sum.fy[k] += force.y, sum.fz[k] += force.z;
+    sum.tx[k] += torque.x, sum.ty[k] += torque.y, sum.tz[k] += torque.z;
 }
 
 }  // namespace
 
 void reference_step(Simulation& s) {
-    Particles& p = s.grains;
     if (time_to_reorder(s)) reorder(s);
     fit_tiles(s);
     for (std::size_t t = 0; t < s.tiles.size(); ++t) begin_step(s, t);
@@ -61,7 +62,7 @@ void reference_step(Simulation& s) {
     remove_lost(s);
     begin_all(s);
 
-    for (auto* load : {&p.fx, &p.fy, &p.fz, &p.tx, &p.ty, &p.tz}) load->assign(p.count(), 0.0);
+    for (Tile& tile : s.tiles) tile.loads.assign(1, Loads{});
     std::vector<Outgoing> to_other_tiles;  // added last
     for (Tile& tile : s.tiles)
         for (std::size_t group = 0; group < s.groups(); ++group) {
@@ -78,10 +79,10 @@ void reference_step(Simulation& s) {
                 }
                 const Vec3 on_j{b.fx[0], b.fy[0], b.fz[0]};
                 const Vec3 turning_j{b.tjx[0], b.tjy[0], b.tjz[0]};
-                add_load(p, c.i[slot], -on_j, {b.tix[0], b.tiy[0], b.tiz[0]});
+                add_load(s, c.i[slot], -on_j, {b.tix[0], b.tiy[0], b.tiz[0]});
                 if (at_wall) continue;
                 if (tile_of(c.i[slot]) == tile_of(c.j[slot]))
-                    add_load(p, c.j[slot], on_j, turning_j);
+                    add_load(s, c.j[slot], on_j, turning_j);
                 else
                     to_other_tiles.push_back({c.j[slot], on_j, turning_j});
             }
@@ -90,10 +91,11 @@ void reference_step(Simulation& s) {
                 c.remove(*slot);
             }
         }
-    for (const Outgoing& load : to_other_tiles) add_load(p, load.j, load.force, load.torque);
+    for (const Outgoing& load : to_other_tiles) add_load(s, load.j, load.force, load.torque);
     for (std::size_t t = 0; t < s.tiles.size(); ++t) {
         s.tiles[t].inbox.clear();  // its entries have just been added
         end_step(s, t);
+        s.tiles[t].loads.clear();
     }
     s.list_is_stale = true;  // `step` may follow
     ++s.steps;

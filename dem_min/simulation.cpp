@@ -119,8 +119,13 @@ double mean_coordination(const Simulation& s) {
 
 double largest_overlap(const Simulation& s) {
     double largest = 0.0;
-    for_each_contact(s, [&](std::size_t, const Contacts& c, std::size_t slot) {
-        largest = std::max(largest, c.overlap[slot] / c.r_star[slot]);
+    for_each_contact(s, [&](std::size_t group, const Contacts& c, std::size_t slot) {
+        const auto i = static_cast<std::size_t>(c.i[slot]), j = static_cast<std::size_t>(c.j[slot]);
+        const double overlap =
+            s.at_wall(group)
+                ? s.grains.radius[i] - distance(s.walls[j], s.grains.position(i)).distance
+                : s.grains.radius[i] + s.grains.radius[j] - contact::norm(apart(s, i, j));
+        largest = std::max(largest, overlap / c.r_star[slot]);
     });
     return largest;
 }
@@ -139,7 +144,28 @@ MemoryUse memory_use(const Simulation& s) {
             use.bytes_lists += bytes(near->i) + bytes(near->j) + bytes(near->due);
         use.bytes_lists += bytes(tile.outbox) + bytes(tile.inbox) + sizeof(Tile);
     }
+    for (const Spare& spare : s.spare) {
+        for (const auto& piece : spare.loads) use.bytes_lists += bytes(piece);
+        for (const auto& piece : spare.outboxes) use.bytes_lists += bytes(piece);
+    }
     return use;
+}
+
+std::size_t bytes_moved(const Simulation& s) {
+    constexpr std::size_t number = sizeof(double), index = sizeof(int);
+    constexpr std::size_t motion = 9, inertias = 3;  // x, v and w; m, 1/m and 1/I
+    std::size_t sum = s.grains.count() * number * (2 * motion + inertias);
+    for_each_contact(s, [&](std::size_t group, const Contacts& c, std::size_t) {
+        const std::size_t twist = s.laws(group).twisting.g_star > 0.0 ? 1 : 0;
+        constexpr std::size_t history = 7;  // both springs and the contact radius
+        const std::size_t constants = c.alike ? 0 : 3;
+        sum += 2 * index + number * (2 * (history + twist) + constants);
+    });
+    for (const Tile& tile : s.tiles) {
+        sum += number * (tile.near_grains.count() + tile.near_walls.count());  // when they are due
+        sum += bytes(tile.inbox);
+    }
+    return sum;
 }
 
 std::uint64_t state_hash(const Simulation& s, double unit_of_length, double unit_of_time) {

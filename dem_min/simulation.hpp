@@ -62,6 +62,7 @@ struct Simulation {
     std::vector<Tile> tiles;
     std::vector<int>
         shares;  // [team + 1] tiles at which the share of each thread begins; made with the list
+    std::vector<Spare> spare;   // [team]
     bool list_is_stale = true;  // grains were added, taken out or moved by hand
     // m/s, of the frame in which the tiles count their ways: grains that move together do not come closer. Any would do.
     Vec3 frame;
@@ -132,6 +133,10 @@ struct MemoryUse {
     std::size_t bytes_grains, bytes_contacts, bytes_lists;
 };
 MemoryUse memory_use(const Simulation&);
+
+// What a step must read and write at least, each array once, bytes: positions, velocities, spins and histories both ways,
+// constants and lists one way. What fits the cache, loads and outboxes, is not in it, nor are arrays that a step leaves alone.
+std::size_t bytes_moved(const Simulation&);
 
 // Hash of positions, velocities, spins, springs and contact radii, in the order of memory, all in multiples of the units
 // given: two runs that are one another's image under a scaling by powers of two have the same hash in their own units.

@@ -4,48 +4,50 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace dem_min {
 namespace {
 
-// Calls each(first, last) for the tiles of each thread. A thread always has the same tiles, whose data stay in its cache: given to
+// Calls each(first, last, spare) for the tiles of each thread. A thread always has the same tiles, whose data stay in its cache: given to
 // whoever comes first, two threads were no faster than one.
 template <class Each>
 void for_each_share(Simulation& s, Each&& each) {
     const int team = s.team(), tiles = static_cast<int>(s.tiles.size());
     if (team == 1 || static_cast<int>(s.shares.size()) != team + 1 || s.shares.back() != tiles) {
-        each(std::size_t{0}, s.tiles.size());
+        each(std::size_t{0}, s.tiles.size(), s.spare.front());
         return;
     }
 #pragma omp parallel for schedule(static, 1) num_threads(team)
     for (int share = 0; share < team; ++share)
         each(static_cast<std::size_t>(s.shares[static_cast<std::size_t>(share)]),
-             static_cast<std::size_t>(s.shares[static_cast<std::size_t>(share) + 1]));
+             static_cast<std::size_t>(s.shares[static_cast<std::size_t>(share) + 1]),
+             s.spare[static_cast<std::size_t>(share)]);
 }
 
 // Adds the loads of a block to its grains. A contact that has torn loads nobody; its slot goes to `torn`.
 void scatter(Simulation& s, std::size_t t, const Contacts& c, bool at_wall, std::size_t first,
              int size, const Block& b, std::vector<std::size_t>& torn) {
-    Particles& p = s.grains;
-    double *fx = p.fx.data(), *fy = p.fy.data(), *fz = p.fz.data();
-    double *tx = p.tx.data(), *ty = p.ty.data(), *tz = p.tz.data();
-    const int begin = static_cast<int>(first_of(t)), end = begin + grains_of(s, t);
+    Loads& sum = s.tiles[t].loads.front();
+    double *fx = sum.fx, *fy = sum.fy, *fz = sum.fz;
+    double *tx = sum.tx, *ty = sum.ty, *tz = sum.tz;
+    const int begin = static_cast<int>(first_of(t)), grains = grains_of(s, t);
     for (int k = 0; k < size; ++k) {
         if (b.hold[k] < 0.0) {
             torn.push_back(first + static_cast<std::size_t>(k));
             continue;
         }
-        const int i = c.i[first + static_cast<std::size_t>(k)];
+        const int i = c.i[first + static_cast<std::size_t>(k)] - begin;
         fx[i] -= b.fx[k], fy[i] -= b.fy[k], fz[i] -= b.fz[k];
         tx[i] += b.tix[k], ty[i] += b.tiy[k], tz[i] += b.tiz[k];
         if (at_wall) continue;
-        const int j = c.j[first + static_cast<std::size_t>(k)];
-        if (j >= begin && j < end) {
+        const int j = c.j[first + static_cast<std::size_t>(k)] - begin;
+        if (j >= 0 && j < grains) {
             fx[j] += b.fx[k], fy[j] += b.fy[k], fz[j] += b.fz[k];
             tx[j] += b.tjx[k], ty[j] += b.tjy[k], tz[j] += b.tjz[k];
         } else {
             s.tiles[t].outbox.push_back(
-                {j, {b.fx[k], b.fy[k], b.fz[k]}, {b.tjx[k], b.tjy[k], b.tjz[k]}});
+                {j + begin, {b.fx[k], b.fy[k], b.fz[k]}, {b.tjx[k], b.tjy[k], b.tjz[k]}});
         }
     }
 }
@@ -64,28 +66,74 @@ void end_contacts(Simulation& s, std::size_t t, std::size_t group, std::vector<s
             tile.handed_over.emplace_back(j, i);
         c.remove(*slot);
         ++tile.outbox_changes;
+        tile.slots_have_moved = true;
     }
     torn.clear();
 }
 
-void clear_loads(Simulation& s, std::size_t t) {
-    Particles& p = s.grains;
-    for (Array* array : {&p.fx, &p.fy, &p.fz, &p.tx, &p.ty, &p.tz})
-        std::fill_n(array->begin() + static_cast<std::ptrdiff_t>(first_of(t)), grains_of(s, t),
-                    0.0);
+template <class T>
+void take(std::vector<std::vector<T>>& spare, std::vector<T>& piece) {
+    if (piece.capacity() > 0 || spare.empty()) return;
+    piece = std::move(spare.back());
+    spare.pop_back();
 }
 
-void load_tile(Simulation& s, std::size_t t) {
+template <class T>
+void give_back(std::vector<std::vector<T>>& spare, std::vector<T>& piece) {
+    if (piece.capacity() > 0) spare.push_back(std::move(piece));
+}
+
+void clear_loads(Tile& tile, int grains) {
+    tile.loads.resize(1);
+    Loads& sum = tile.loads.front();
+    for (double* array : {sum.fx, sum.fy, sum.fz, sum.tx, sum.ty, sum.tz})
+        std::fill_n(array, grains, 0.0);
+}
+
+// A step walks through the histories of the contacts once, along nine arrays, and through their grains along nine more: too
+// many for the processor to follow by itself from one page to the next. Asked for a block ahead, they are there in time.
+void ask_for(const Contacts& c, std::size_t first) {
+    constexpr std::size_t line = 64;  // bytes
+    constexpr std::size_t doubles = line / sizeof(double), ints = line / sizeof(int);
+    if (first >= c.count()) return;
+    for (const Array* array : {&c.sx, &c.sy, &c.sz, &c.rx, &c.ry, &c.rz, &c.previous_radius})
+        for (std::size_t k = 0; k < block_size; k += doubles)
+            __builtin_prefetch(array->data() + first + k, 1);
+    for (const std::vector<int>* array : {&c.i, &c.j})
+        for (std::size_t k = 0; k < block_size; k += ints)
+            __builtin_prefetch(array->data() + first + block_size + k);
+}
+
+// Grains of every eighth contact: grains follow one another in the contacts as in memory, mostly, eight to a line.
+void ask_for_grains(const Particles& p, const Contacts& c, std::size_t first) {
+    const std::size_t last = std::min(first + block_size, c.count());
+    for (std::size_t k = first; k < last; k += 8) {
+        const auto i = static_cast<std::size_t>(c.i[k]), j = static_cast<std::size_t>(c.j[k]);
+        for (const Array* array : {&p.x, &p.y, &p.z, &p.vx, &p.vy, &p.vz, &p.wx, &p.wy, &p.wz}) {
+            __builtin_prefetch(array->data() + i);
+            __builtin_prefetch(array->data() + j);
+        }
+    }
+}
+
+void load_tile(Simulation& s, std::size_t t, Spare& spare) {
     begin_contacts(s, t);
-    clear_loads(s, t);
-    s.tiles[t].outbox.clear();
+    Tile& tile = s.tiles[t];
+    take(spare.loads, tile.loads);
+    take(spare.outboxes, tile.outbox);
+    clear_loads(tile, grains_of(s, t));
+    tile.outbox.clear();
+    tile.outbox_changes += tile.slots_have_moved;
+    tile.slots_have_moved = false;
     Block block;
     std::vector<std::size_t> torn;
     for (std::size_t group = 0; group < s.groups(); ++group) {
-        Contacts& c = s.tiles[t].groups[group];
+        Contacts& c = tile.groups[group];
         const bool at_wall = s.at_wall(group);
         for (std::size_t first = 0; first < c.count(); first += block_size) {
             const int size = static_cast<int>(std::min<std::size_t>(block_size, c.count() - first));
+            ask_for(c, first + block_size);
+            if (!at_wall) ask_for_grains(s.grains, c, first + block_size);
             at_wall ? gather_walls(s, c, first, size, block)
                     : gather_pairs(s, c, first, size, block);
             load_block(s.laws(group), c, first, size, block, s.settings);
@@ -169,7 +217,7 @@ void look_after(Simulation& s) {
 }
 
 // The second half of a step for tile t, and the first of the next one if there is one.
-void finish_tile(Simulation& s, std::size_t t, bool goes_on) {
+void finish_tile(Simulation& s, std::size_t t, bool goes_on, Spare& spare) {
     s.tiles[t].finished = true;
     if (s.tiles[t].asleep) return;
     renew_inbox(s, t);
@@ -177,6 +225,7 @@ void finish_tile(Simulation& s, std::size_t t, bool goes_on) {
         note(s, s.tiles[t], end_and_begin_step(s, t));
     else
         end_step(s, t);
+    give_back(spare.loads, s.tiles[t].loads);
 }
 
 // True if tile t may be finished when [first, loaded) have been loaded, by the thread that has the tiles from `first` on: all that
@@ -187,17 +236,35 @@ bool ready(const Simulation& s, std::size_t t, std::size_t first, std::size_t lo
                                 static_cast<std::size_t>(partners.back()) < loaded);
 }
 
+// True if all that other tiles, of [first, loaded), need from the outbox of tile t has been fetched.
+bool fetched(const Simulation& s, std::size_t t, std::size_t first, std::size_t loaded) {
+    const std::vector<int>& partners = s.tiles[t].partners;
+    return ready(s, t, first, loaded) &&
+           std::all_of(partners.begin(), partners.end(), [&](int partner) {
+               return s.tiles[static_cast<std::size_t>(partner)].finished;
+           });
+}
+
 // Loads of the tiles [first, last), each of which is finished as soon as it may be, while its grains are still in the cache.
-void load_share(Simulation& s, std::size_t first, std::size_t last, bool goes_on) {
-    std::size_t next = first;
+void load_share(Simulation& s, std::size_t first, std::size_t last, bool goes_on, Spare& spare) {
+    const bool tiles_may_sleep = s.settings.sleep_speed > 0.0;  // their outboxes are read for long
+    std::size_t next = first, in_use = first;  // tiles before these are finished; have no outbox
     for (std::size_t t = first; t < last; ++t) {
-        if (!s.tiles[t].asleep) load_tile(s, t);
+        if (!s.tiles[t].asleep) load_tile(s, t, spare);
         s.tiles[t].finished = false;
-        for (; next <= t && ready(s, next, first, t + 1); ++next) finish_tile(s, next, goes_on);
+        for (; next <= t && ready(s, next, first, t + 1); ++next)
+            finish_tile(s, next, goes_on, spare);
         while (next <= t && !s.tiles[next].partners.empty() &&
                (static_cast<std::size_t>(s.tiles[next].partners.front()) < first ||
                 static_cast<std::size_t>(s.tiles[next].partners.back()) >= last))
             ++next;  // another thread's tiles must be loaded first
+        if (tiles_may_sleep) continue;
+        for (; in_use < next; ++in_use) {
+            if (fetched(s, in_use, first, t + 1))
+                give_back(spare.outboxes, s.tiles[in_use].outbox);
+            else if (ready(s, in_use, first, last))
+                break;  // some partner is to come
+        }
     }
 }
 
@@ -206,23 +273,25 @@ void load_share(Simulation& s, std::size_t first, std::size_t last, bool goes_on
 void advance(Simulation& s, std::int64_t steps) {
     bool begun =
         false;  // the end of one step and the beginning of the next are one walk over the grains
+    s.spare.resize(std::max(s.spare.size(), static_cast<std::size_t>(s.team())));
     for (std::int64_t done = 0; done < steps; ++done) {
         if (time_to_reorder(s)) reorder(s);
         fit_tiles(s);
         if (!begun)
-            for_each_share(s, [&](std::size_t first, std::size_t last) {
+            for_each_share(s, [&](std::size_t first, std::size_t last, Spare&) {
                 for (std::size_t t = first; t < last; ++t)
                     if (!s.tiles[t].asleep) note(s, s.tiles[t], begin_step(s, t));
             });
         look_after(s);
         ++s.steps;
         begun = done + 1 < steps && !time_to_reorder(s);
-        for_each_share(
-            s, [&](std::size_t first, std::size_t last) { load_share(s, first, last, begun); });
+        for_each_share(s, [&](std::size_t first, std::size_t last, Spare& spare) {
+            load_share(s, first, last, begun, spare);
+        });
         hand_over(s);
-        for_each_share(s, [&](std::size_t first, std::size_t last) {
+        for_each_share(s, [&](std::size_t first, std::size_t last, Spare& spare) {
             for (std::size_t t = first; t < last; ++t)
-                if (!s.tiles[t].finished) finish_tile(s, t, begun);
+                if (!s.tiles[t].finished) finish_tile(s, t, begun, spare);
         });
     }
 }

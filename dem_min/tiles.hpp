@@ -44,6 +44,20 @@ struct Incoming {
     int tile, index;
 };
 
+// Sums of the loads on the grains of a tile, N and N m, by place in the tile. The arrays begin at different places of a page,
+// for the reason that array.hpp gives.
+struct Loads {
+    static constexpr int stride = tile_size + 8;  // one cache line apart
+    double fx[stride], fy[stride], fz[stride], tx[stride], ty[stride], tz[stride];
+};
+
+// Memory of one thread for what lives within a step only: a tile takes it when it is loaded and gives it back when it is
+// finished, some tiles later, so that a few pieces that stay in the cache serve all tiles.
+struct Spare {
+    std::vector<std::vector<Loads>> loads;
+    std::vector<std::vector<Outgoing>> outboxes;
+};
+
 struct Tile {
     std::vector<Contacts> groups;  // [groups of laws], see Simulation
     Dissipation ended;             // J, by contacts of this tile that have ended (ledger on)
@@ -69,7 +83,9 @@ struct Tile {
     int quiet_steps = 0;                       // in a row, see Settings::sleep_speed
     bool asleep = false;
 
+    std::vector<Loads> loads;  // one, from load_tile to the second half of the step; else none
     std::vector<Outgoing> outbox;
+    bool slots_have_moved = false;  // a contact has ended: the next outbox has another order
     std::vector<Incoming> inbox;
     std::vector<std::uint64_t> inbox_of;  // outbox_changes of `partners` when the inbox was made
     std::uint64_t outbox_changes = 1;     // raised when a contact of the tile begins or ends

@@ -24,15 +24,15 @@ struct Bed {
     double youngs_modulus = 156e6;           // Pa, of grains and wall
     double poisson_ratio = 0.3;              // likewise
     double surface_energy = 0.19;            // J/m^2; the work of adhesion is twice that
-    double restitution = 0.225;              // 1
+    double restitution = 0.368;              // 1
     double sliding_friction = 0.8;           // 1
     double rolling_stiffness = 500.0;        // N/m, SDS
     double rolling_damping = 1e-5;           // kg/s
     double rolling_friction = 0.225;         // 1
-    double wall_restitution = 0.15, wall_friction = 0.45;  // 1; no adhesion, no rolling resistance
-    double time_step = 7.78e-7;                            // s
-    double margin = 24e-6;                                 // m, of every engine's neighbour list
-    int warm_up = 3000, steps = 2000;                      // only the latter are timed
+    double wall_restitution = 0.291, wall_friction = 0.45;  // 1; no adhesion, no rolling resistance
+    double time_step = 7.78e-7;                             // s
+    double margin = 24e-6;                                  // m, of every engine's neighbour list
+    int warm_up = 3000, steps = 2000;                       // only the latter are timed
 
     int grains() const { return nx * ny * nz; }
     double lattice() const { return spacing * radius; }  // m

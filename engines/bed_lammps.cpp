@@ -6,12 +6,29 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <sstream>
 
 namespace engines {
 
 namespace {
+
+// Of a dashpot alpha sqrt(m k), k = 4/3 E* a, by the restitution e of a Hertz pair: the fit that LAMMPS uses (Tsuji, Tanaka &
+// Ishida 1992, as in the manual of pair_style granular).
+double fitted_alpha(double e) {
+    double sum = 0.0;
+    for (const double c : {4.8218, -18.022, 27.467, -22.348, 11.087, -4.2783, 1.2728})
+        sum = sum * e + c;
+    return sum;
+}
+
+// The same in closed form (Antypov & Elliott 2011): sqrt 5 beta.
+double exact_alpha(double e) {
+    const double log_e = std::log(e);
+    return -std::sqrt(5.0) * log_e / std::sqrt(log_e * log_e + std::numbers::pi * std::numbers::pi);
+}
 
 std::string deck(const Bed& b) {
     return fmt::format(
@@ -35,18 +52,27 @@ fix base all wall/gran granular hertz/material {E} {ew} {nu} &
     tangential mindlin NULL 1.0 {muw} damping tsuji zplane 0.0 NULL
 timestep {dt}
 )",
-               fmt::arg("E", b.youngs_modulus), fmt::arg("e", b.restitution),
+               fmt::arg("E", b.youngs_modulus), fmt::arg("e", restitution_to_tell(b.restitution)),
                fmt::arg("nu", b.poisson_ratio), fmt::arg("gamma", b.surface_energy),
                fmt::arg("mu", b.sliding_friction), fmt::arg("kr", b.rolling_stiffness),
                fmt::arg("gr", b.rolling_damping), fmt::arg("mur", b.rolling_friction),
                fmt::arg("margin", b.margin), fmt::arg("g", b.gravity), fmt::arg("dx", b.downward.x),
                fmt::arg("dy", b.downward.y), fmt::arg("dz", b.downward.z),
-               fmt::arg("ew", b.wall_restitution), fmt::arg("muw", b.wall_friction),
-               fmt::arg("dt", b.time_step)) +
+               fmt::arg("ew", restitution_to_tell(b.wall_restitution)),
+               fmt::arg("muw", b.wall_friction), fmt::arg("dt", b.time_step)) +
            timed_runs(b);
 }
 
 }  // namespace
+
+double restitution_to_tell(double e) {
+    double low = 0.0, high = 1.0;  // its alpha is larger, or smaller, than that of e
+    for (int k = 0; k < 60; ++k) {
+        const double middle = 0.5 * (low + high);
+        (fitted_alpha(middle) > exact_alpha(e) ? low : high) = middle;
+    }
+    return 0.5 * (low + high) < 1e-12 ? 0.0 : 0.5 * (low + high);
+}
 
 std::vector<std::string> lammps_like_command(const std::string& program, int threads) {
     std::vector<std::string> argv = mpirun(threads);

@@ -83,13 +83,15 @@ TEST_CASE("a rain of grains: the step with lists gives the bits of the step with
     REQUIRE(most_contacts > 10);  // or nothing was compared
 }
 
-// 2400 sticky grains in a periodic box of 14 diameters, in random order, in random motion: three
-// tiles whose contacts cross all borders, and a change of order (at step 4096) while they last.
+// 2400 grains in a periodic box of 14 diameters, in random order, in random motion: three tiles
+// whose contacts cross all borders, and a change of order (at step 4096). Sticky ones stay
+// together, dry ones part again, and the slots of those that stay then move.
 TEST_CASE("a dense cloud in several tiles: list, outboxes and threads change no bit",
           "[dem_min][golden]") {
     const double d = 1e-4, box = 14.0 * d;
     Simulation cloud;
-    const System like = rain(sticky(), 1, true, false);
+    const bool stay = GENERATE(true, false);
+    const System like = rain(stay ? sticky() : dry(), 1, true, false);
     cloud.settings.time_step = like.time_step;
     cloud.settings.skin = 0.1 * d;
     cloud.settings.lost_below = -1.0;
@@ -116,10 +118,15 @@ TEST_CASE("a dense cloud in several tiles: list, outboxes and threads change no 
     Simulation slow = cloud, two = cloud, at_once = cloud;
     two.settings.threads = 3;
     two.settings.grains_per_thread = 1;
-    for (int k = 0; k < 150; ++k) step(cloud), step(two), reference_step(slow);
+    std::size_t most_contacts = 0;
+    for (int k = 0; k < 150; ++k) {
+        step(cloud), step(two), reference_step(slow);
+        most_contacts = std::max(most_contacts, pair_count(cloud));
+    }
     advance(at_once, 150);
     REQUIRE(cloud.tiles.size() == 3);
-    REQUIRE(pair_count(cloud) > 1000);
+    REQUIRE(most_contacts > (stay ? 1000u : 100u));
+    REQUIRE((pair_count(cloud) < most_contacts) == !stay);  // contacts have ended
     REQUIRE(cloud.steps == 4150);
     int crossing = 0, turned_round = 0;
     for_each_contact(cloud, [&](std::size_t group, const dem_min::Contacts& c, std::size_t slot) {
@@ -127,8 +134,8 @@ TEST_CASE("a dense cloud in several tiles: list, outboxes and threads change no 
         crossing += dem_min::tile_of(c.i[slot]) != dem_min::tile_of(c.j[slot]);
         turned_round += c.i[slot] > c.j[slot];
     });
-    REQUIRE(crossing > 50);
-    REQUIRE(turned_round > 50);
+    REQUIRE(crossing > 20);
+    REQUIRE(turned_round > 20);
     REQUIRE(state_hash(cloud) == state_hash(slow));
     REQUIRE(state_hash(cloud) == state_hash(two));
     REQUIRE(state_hash(cloud) == state_hash(at_once));
