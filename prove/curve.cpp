@@ -55,7 +55,7 @@ double fold(const World& w, const Setup& s) {
 // `held`: the branch that was in contact.
 double force(const World& w, const Setup& s, double separation, bool held) {
     const bool touches = separation <= (held ? fold(w, s) : 0.0);
-    const bool wet = held || separation <= 0.0;
+    const bool wet = separation <= 0.0 || (held && separation < rupture_gap(w));
     World dry = w;
     if (w.kind == Outside::magnet) dry.kind = Outside::none;
     double f = -attraction(dry, s, separation, wet) + strange(w, s, separation);

@@ -51,7 +51,9 @@ struct Fall {
         return w.drag == 0.0 && w.charge == 0.0 && !wet && w.kind == Outside::none;
     }
     void rates(double at, const double* state, double* rate) const {
-        const double g = weight(at), speed = std::hypot(state[1], state[3]);
+        const double g = weight(at);
+        const double speed =
+            w.drag > 0.0 ? std::sqrt(state[1] * state[1] + state[3] * state[3]) : 0.0;
         const double drag = speed > 0.0 ? drag_deceleration(w, s, speed) / speed : 0.0;
         rate[0] = state[1];
         rate[1] =
@@ -86,7 +88,7 @@ bool Fall::fly() {
     double start[5];
     rates(t, y, start);
     const double hop = std::max(2.0 * std::abs(y[1] - plate_speed(t)) / std::abs(start[1]), 1e-9);
-    double h = 0.1 * hop;
+    double h = first_step(w, s, std::hypot(y[1], y[3]), 0.1 * hop);
     if (constant()) {
         double rate[5];
         rates(t, y, rate);
@@ -152,9 +154,7 @@ bool Fall::fly() {
             std::copy(state, state + 5, y);
             t = end;
             wet = false;
-            mark();
-            stepper.restart();
-            continue;
+            return fly();  // other rates from here on
         }
         mark();
     }

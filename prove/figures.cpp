@@ -98,10 +98,15 @@ Mismatch mismatch(const Skeleton& sk, const World& truth, std::vector<std::size_
     return m;
 }
 
+Fit base_fit(const Skeleton& sk, const std::vector<std::size_t>& list,
+             const Eigen::VectorXd& wanted) {
+    return fit(started(sk), chosen(sk.stated, list), base_unknowns(sk, list), sk.noise, wanted);
+}
+
 Fit fit_with(const Skeleton& sk, const std::vector<const Term*>& terms,
-             const std::vector<std::size_t>& list, const Eigen::VectorXd& wanted, int iterations) {
+             const std::vector<std::size_t>& list, const Eigen::VectorXd& wanted, const Fit& begin,
+             int iterations) {
     const std::vector<Unknown> unknowns = unknowns_with(sk, terms, list);
-    const std::vector<Setup> stated = chosen(sk.stated, list);
     std::size_t extra = 0;
     for (const Term* t : terms) extra += t->unknowns.size();
     const std::vector<Unknown> added(unknowns.end() - static_cast<std::ptrdiff_t>(extra),
@@ -112,9 +117,9 @@ Fit fit_with(const Skeleton& sk, const std::vector<const Term*>& terms,
     Fit best;
     double least = std::numeric_limits<double>::infinity();
     for (const std::vector<double>& start : starts) {
-        World w = started(sk);
+        World w = begin.world;
         for (const Term* t : terms) enable(*t, w);
-        std::vector<Setup> setups = stated;
+        std::vector<Setup> setups = begin.setups;
         Eigen::VectorXd theta(static_cast<Eigen::Index>(extra));
         for (std::size_t k = 0; k < extra; ++k)
             theta[static_cast<Eigen::Index>(k)] = std::clamp(start[k], added[k].low, added[k].high);
@@ -135,9 +140,10 @@ Separation separation(const Skeleton& sk, const World& truth, const std::vector<
     const Eigen::VectorXd wanted = predict(truth, sk.truth);
     Separation best{std::numeric_limits<double>::infinity(), "", ""};
     const double own = penalty_of_truth(sk);
+    const Fit begin = base_fit(sk, list, wanted);
     for (const Term& t : terms(sk.stated, sk.physics)) {
         if (std::find(right.begin(), right.end(), t.effect) != right.end()) continue;
-        const Fit f = fit_with(sk, {&t}, list, wanted);
+        const Fit f = fit_with(sk, {&t}, list, wanted, begin);
         const double d = std::sqrt(std::max(0.0, f.chi2 + f.penalty - own));
         if (d < best.d) best = {d, t.effect, t.channel};
         if (best.d < enough) break;
@@ -149,20 +155,21 @@ Separation pair_separation(const Skeleton& sk, const World& truth, int first) {
     const std::vector<std::size_t> list = all_experiments(sk);
     const Eigen::VectorXd wanted = predict(truth, sk.truth);
     const std::vector<Term> all = terms(sk.stated, sk.physics);
+    const double own = penalty_of_truth(sk);
+    const Fit begin = base_fit(sk, list, wanted);
     std::vector<std::pair<double, std::size_t>> singles;
     for (std::size_t k = 0; k < all.size(); ++k) {
-        const Fit f = fit_with(sk, {&all[k]}, list, wanted);
+        const Fit f = fit_with(sk, {&all[k]}, list, wanted, begin);
         singles.emplace_back(f.chi2 + f.penalty, k);
     }
     std::sort(singles.begin(), singles.end());
-    const double own = penalty_of_truth(sk);
     Separation best{std::sqrt(std::max(0.0, singles.front().first - own)),
                     all[singles.front().second].effect, all[singles.front().second].channel};
     for (std::size_t a = 0; a < singles.size() && static_cast<int>(a) < first; ++a) {
         for (std::size_t b = 0; b < all.size(); ++b) {
             const Term &one = all[singles[a].second], &other = all[b];
             if (&one == &other) continue;
-            const Fit f = fit_with(sk, {&one, &other}, list, wanted, 8);
+            const Fit f = fit_with(sk, {&one, &other}, list, wanted, begin, 8);
             const double d = std::sqrt(std::max(0.0, f.chi2 + f.penalty - own));
             if (d < best.d)
                 best = {d, one.effect + " + " + other.effect, one.channel + " + " + other.channel};

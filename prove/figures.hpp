@@ -29,9 +29,11 @@ double effective_count(const std::vector<Setup>&, const Noise&);
 // P(reject at 5 %) with `freedom` degrees of freedom and noncentrality lambda.
 double likelihood_ratio_power(double lambda, int freedom);
 
-// The base model with these terms, fitted to `wanted` (shape of predict over the list) from every combination of a few starts.
+// The base model with these terms, fitted to `wanted` (shape of predict over the list) from every combination of a few starts
+// beside `begin`, a fit of the base model to the same.
 Fit fit_with(const Skeleton&, const std::vector<const Term*>&, const std::vector<std::size_t>& list,
-             const Eigen::VectorXd& wanted, int iterations = 12);
+             const Eigen::VectorXd& wanted, const Fit& begin, int iterations = 12);
+Fit base_fit(const Skeleton&, const std::vector<std::size_t>& list, const Eigen::VectorXd& wanted);
 
 struct Separation {
     double d;

@@ -195,8 +195,9 @@ Fit fit(World world, std::vector<Setup> setups, const std::vector<Unknown>& unkn
     for (std::size_t k = 0; k < unknowns.size(); ++k)
         x[at(k)] = std::clamp(inner(unknowns[k], value_of(unknowns[k], world, setups)), 0.0, 1.0);
     Eigen::VectorXd here = p.misfit(x);
-    double cost = here.squaredNorm(), lambda = 1e-3;
+    double cost = here.squaredNorm(), lambda = 1e-2;
     Eigen::MatrixXd j;
+    int small = 0;  // gains in a row
     for (int k = 0; k < iterations && x.size() > 0; ++k) {
         here = p.misfit(x);
         j = p.jacobian(x, here);
@@ -204,7 +205,7 @@ Fit fit(World world, std::vector<Setup> setups, const std::vector<Unknown>& unkn
         const Eigen::VectorXd gradient = j.transpose() * here;
         bool better = false;
         double gain = 0.0;
-        for (int tries = 0; tries < 8 && !better; ++tries) {
+        for (int tries = 0; tries < 12 && !better; ++tries) {
             const Eigen::VectorXd next =
                 (x + marquardt(normal, gradient, x, lambda)).cwiseMax(0.0).cwiseMin(1.0);
             const double there = p.misfit(next).squaredNorm();
@@ -213,12 +214,13 @@ Fit fit(World world, std::vector<Setup> setups, const std::vector<Unknown>& unkn
                 gain = cost - there;
                 cost = there;
                 x = next;
-                lambda = std::max(1e-9, 0.1 * lambda);
+                lambda = std::max(1e-7, 0.1 * lambda);
             } else {
-                lambda *= 6.0;
+                lambda *= 8.0;
             }
         }
-        if (!better || gain < tolerance * cost + 1e-4) break;
+        small = gain < tolerance * cost + 1e-4 ? small + 1 : 0;
+        if (!better || small == 2 || gain < 1e-6) break;
     }
     here = p.misfit(x);
     Fit f{world, setups, Eigen::VectorXd(x.size()), 0.0, 0.0, {}};

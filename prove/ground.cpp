@@ -159,7 +159,7 @@ double by_steps(const Motion& m, const Mode& mode, double t, double t_end, doubl
     Stepper stepper(
         [&](double at, const double* state, double* rate) { m.rates(mode, at, state, rate); },
         {1e-10, 1e-10 * v0, 1e-10 * v0 / r}, 1e-10);
-    double h = 0.02 * (t_end - t), rate[3];
+    double h = first_step(m.w, m.s, y[1], 0.02 * (t_end - t)), rate[3];
     const double widest = 0.1 * (t_end - t);
     while (t < t_end) {
         const double t0 = t, y0[3] = {y[0], y[1], y[2]};

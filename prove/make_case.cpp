@@ -93,7 +93,8 @@ double headline(const Skeleton& sk, const World& w) {
 // Least squares of one term alone, on the recordings with role fit.
 double lambda_beside(const Skeleton& sk, const World& truth, const Term& other) {
     const std::vector<std::size_t> list = with_role(sk, false);
-    const Fit f = fit_with(sk, {&other}, list, predict(truth, chosen(sk.truth, list)));
+    const Eigen::VectorXd wanted = predict(truth, chosen(sk.truth, list));
+    const Fit f = fit_with(sk, {&other}, list, wanted, base_fit(sk, list, wanted));
     return f.chi2 + f.penalty;
 }
 

@@ -38,7 +38,7 @@ std::function<void(World&, double)> physical(const Term& t, const Skeleton& sk, 
         const double volume = r * r * r * dice.log_uniform(3e-5, 3e-2);
         return [volume](World& w, double s) {
             w.liquid_volume = volume;
-            w.surface_tension = 0.2 * s;
+            w.surface_tension = 0.1 * s;
         };
     }
     if (e == "electrostatic") {
@@ -96,6 +96,18 @@ std::function<void(World&, double)> instrumental(const Term& t, const Skeleton& 
     return [c, most](World& w, double s) { w.offset[static_cast<std::size_t>(c)] = most * s; };
 }
 
+// The weakest that is still worth its name, on the scale of the dial: a third of the drag curve, 1 mJ/m^2, 0.2 per cent, ...
+double least_of(const Term& t, Rig rig) {
+    if (t.effect == "air_drag") return 0.075;
+    if (t.effect == "adhesion") return rig == Rig::pull_off ? 2e-3 : 4e-4;
+    if (t.effect == "capillary_bridge") return 0.1;
+    if (t.effect == "van_der_waals") return 5e-4;
+    if (t.effect == "electrostatic") return 1e-4;
+    if (t.effect == "viscoelastic_restitution" || t.effect == "plastic_restitution") return 0.02;
+    if (t.effect == "velocity_dependent_friction") return 0.03;
+    return 0.005;
+}
+
 double idr_at(const Skeleton& sk, const Dial& dial, double s) {
     World w = sk.world;
     dial.turn(w, s);
@@ -106,8 +118,8 @@ double idr_at(const Skeleton& sk, const Dial& dial, double s) {
 
 std::optional<Dial> dial_for(const Term& t, const Skeleton& sk, Dice& dice) {
     if (t.effect.starts_with("measurement") || t.effect == "time_base")
-        return Dial{t, instrumental(t, sk, dice)};
-    return Dial{t, physical(t, sk, dice)};
+        return Dial{t, instrumental(t, sk, dice), least_of(t, sk.rig)};
+    return Dial{t, physical(t, sk, dice), least_of(t, sk.rig)};
 }
 
 std::vector<Outside> outside_kinds(Rig rig) {
@@ -181,7 +193,7 @@ std::optional<double> solve_strength(Skeleton& sk, const Dial& dial, double targ
         scale_noise(factor);
         return 1.0;
     }
-    double low = 0.0, high = 0.0, idr_low = 0.0, idr_high = 0.0, s = 0.05;
+    double low = 0.0, high = 0.0, idr_low = 0.0, idr_high = 0.0, s = std::max(0.05, dial.least);
     for (int k = 0; k < 9; ++k) {
         const double idr = idr_at(sk, dial, s);
         if (!std::isfinite(idr)) return std::nullopt;
@@ -197,8 +209,8 @@ std::optional<double> solve_strength(Skeleton& sk, const Dial& dial, double targ
             const double share = std::log(target / idr_low) / std::log(idr_high / idr_low);
             s = low * std::pow(high / low, std::clamp(share, 0.15, 0.85));
         } else if (high > 0.0) {
-            if (high < 1e-4) break;
-            s = high * std::clamp(0.9 * target / idr_high, 0.01, 0.7);
+            if (high <= dial.least) break;
+            s = std::max(dial.least, high * std::clamp(0.9 * target / idr_high, 0.01, 0.7));
         } else {
             s = std::min(1.0, low * std::clamp(1.1 * target / std::max(idr_low, 1e-9), 1.5, 50.0));
         }

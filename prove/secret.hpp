@@ -18,6 +18,7 @@ namespace prove {
 struct Dial {
     Term term;
     std::function<void(World&, double s)> turn;
+    double least = 0.003;  // below it the effect is too weak to be one
 };
 
 // Nothing where the effect cannot act in this skeleton. `term` comes from terms(); ranges of channels from the base's truth.

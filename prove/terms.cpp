@@ -43,7 +43,7 @@ Term electrostatic(double r) {
 Term capillary(double r) {
     return {"capillary_bridge",
             "",
-            {of_world("surface_tension", &World::surface_tension, 1e-4, 0.5, true, {3e-4, 0.03}),
+            {of_world("surface_tension", &World::surface_tension, 1e-6, 0.5, true, {1e-5, 0.03}),
              of_world("liquid_volume", &World::liquid_volume, 1e-7 * r * r * r, 0.3 * r * r * r,
                       true, {1e-3 * r * r * r})}};
 }

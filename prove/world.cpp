@@ -90,6 +90,12 @@ double drag_deceleration(const World& w, const Setup& s, double v) {
     return w.drag * force / s.mass();
 }
 
+double first_step(const World& w, const Setup& s, double v, double wished) {
+    const double speed = std::max(std::abs(v), 1e-6);
+    const double rate = drag_deceleration(w, s, speed) / speed;
+    return rate > 0.0 ? std::min(wished, 0.3 / rate) : wished;
+}
+
 double rupture_gap(const World& w) { return std::cbrt(w.liquid_volume); }
 
 double attraction(const World& w, const Setup& s, double gap, bool wet) {
@@ -100,7 +106,7 @@ double attraction(const World& w, const Setup& s, double gap, bool wet) {
         pull += s.grain_on_grain ? -q2 / (4.0 * (2.0 * r + h) * (2.0 * r + h))
                                  : q2 / (16.0 * (r + h) * (r + h));
     }
-    if (wet && w.surface_tension > 0.0 && h < rupture_gap(w)) {
+    if (wet && w.surface_tension > 0.0) {
         const double rs = s.r_star();
         pull += 4.0 * pi * w.surface_tension * rs *
                 (1.0 - h / std::sqrt(h * h + w.liquid_volume / (pi * rs)));

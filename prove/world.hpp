@@ -105,8 +105,11 @@ double drag_curve(double reynolds);
 double reynolds(const Setup&, double speed);
 // Deceleration by drag at velocity v, m/s^2, of the sign of v.
 double drag_deceleration(const World&, const Setup&, double v);
+// The longest first step that an integrator may try: a share of the time in which drag would stop the grain.
+double first_step(const World&, const Setup&, double v, double wished);
 
-// Attraction to the plate at the gap h >= 0, N: charge, liquid bridge (where `wet`), outside kinds that pull.
+// Attraction to the plate at the gap h >= 0, N: charge, liquid bridge (where `wet`; the caller looks after its rupture),
+// outside kinds that pull.
 double attraction(const World&, const Setup&, double gap, bool wet);
 double rupture_gap(const World&);  // m
 
