@@ -21,7 +21,7 @@ double range_of(const std::vector<double>& values) {
     return high > low ? high - low : 0.0;
 }
 
-// Squared coefficients of the orthonormal cosine transform above a quarter of all frequencies, with cos of their frequency.
+// Squared coefficients of the orthonormal cosine transform above a sixteenth of all frequencies, with cos of their frequency.
 struct Spectrum {
     std::vector<double> power, cosine;
 };
@@ -29,7 +29,7 @@ struct Spectrum {
 Spectrum upper_spectrum(const std::vector<double>& r) {
     const std::size_t n = r.size();
     Spectrum s;
-    for (std::size_t m = std::max<std::size_t>(1, n / 4); m < n; ++m) {
+    for (std::size_t m = std::max<std::size_t>(1, n / 16); m < n; ++m) {
         double sum = 0.0;
         const double w = std::numbers::pi * static_cast<double>(m) / static_cast<double>(n);
         // cos((k + 1/2) w) by the two-term recurrence.

@@ -42,8 +42,8 @@ class Whitener {
 Noise first_guess(const Problem&);
 
 // From the residual of a model that explains the recordings: correlations, pooled over the recordings of a channel, and the
-// deviations that are not stated. Only the upper three quarters of the frequencies are used (Whittle's likelihood of the
-// discrete cosine transform), which a smooth mismatch that is still there does not reach. `fitted`: number of parameters that
+// deviations that are not stated. The lowest sixteenth of the frequencies is not used (Whittle's likelihood of the
+// discrete cosine transform), where a smooth mismatch that is still there would show. `fitted`: number of parameters that
 // were fitted, for the deviations of short recordings.
 Noise estimated(const Problem&, const Eigen::VectorXd& residual, std::size_t fitted);
 

@@ -75,13 +75,15 @@ Mode mode_of(const PlateForces& f, const OnPlate& x) {
 // What ends a mode: the slip, the spin or the speed comes to zero. The value has the sign +1 at first.
 double until_slip_ends(const Mode& m, const OnPlate& x) { return m.slip * (x.v - x.w); }
 
-void settle(const Mode& mode, OnPlate& x, bool slip_ended) {
+// Speeds that weight changes within a nanosecond are none: slip and spin would else take turns in coming to nothing for ever.
+void settle(const Mode& mode, const PlateForces& f, OnPlate& x, bool slip_ended) {
     if (mode.kind == Mode::Kind::slide && slip_ended)
         x.w = x.v;
     else if (mode.kind == Mode::Kind::slide)
         x.w = 0.0;
     else
         x.v = x.w = 0.0;
+    if (std::abs(x.v) + std::abs(x.w) < 1e-9 * std::max(0.0, f.press)) x.v = x.w = 0.0;
 }
 
 OnPlate moved(const OnPlate& x, const Rates& r, double dt) {
@@ -117,7 +119,7 @@ void carry_evenly(OnPlate& x, double until, const PlateForces& f, Rows& rows,
     const bool event = duration == slip_ends || duration == turn_ends;
     x = moved(x, r, duration);
     if (event)
-        settle(mode, x, slip_ends <= turn_ends);
+        settle(mode, f, x, slip_ends <= turn_ends);
     else
         x.t = until;
 }
@@ -190,7 +192,7 @@ void carry_by_steps(OnPlate& x, double until, const PlateForces& f, Rows& rows,
         x.newton = event == 4 ? !newton : newton;
         if (event == 4) ++changes;
         if (event == 0) continue;
-        if (event == 1 || event == 2) settle(mode, x, event == 1);
+        if (event == 1 || event == 2) settle(mode, f, x, event == 1);
         mode = event == 3 ? sliding(f, x, -sign(rates(f, mode, x).a - pull(f, x))) : mode_of(f, x);
         ode.restart(x.t, {x.s, x.v, x.w});
     }
