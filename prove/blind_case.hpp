@@ -46,6 +46,9 @@ struct Key {
     std::string outside;                // in words, of the kind outside
     std::vector<TrueParameter> parameters;
     double idr = 0.0, n_eff = 0.0, lambda = 0.0, oracle_power = 0.0;
+    double oracle_statistic =
+        0.0;  // likelihood ratio on the recordings as they are, true term against none
+    int oracle_freedom = 0;
     Separation separation{};
     double pair_separation = 0.0;            // kind outside
     std::vector<double> lambda_given_other;  // kind pair, in the order of effects
@@ -59,9 +62,10 @@ struct BlindCase {
     int number = 0;
     std::map<std::string, std::string> files;  // name in the folder -> content
     Key key;
-    std::string key_text;  // JSON
-    Skeleton skeleton;     // for further recordings
-    World world;           // with the secret
+    std::string key_text;        // JSON
+    Skeleton skeleton;           // for further recordings
+    World world;                 // with the secret
+    Eigen::VectorXd recordings;  // as recorded, shape of predict() over all experiments
 };
 
 BlindCase make_case(std::uint64_t seed, int number);

@@ -46,6 +46,7 @@ std::string key_text(const Key& k) {
         "\"rig\": {},\n  \"effects\": {}, \"channels\": {}, \"outside\": {},\n"
         "  \"parameters\": {},\n"
         "  \"idr\": {}, \"n_eff\": {}, \"lambda\": {}, \"oracle_power\": {},\n"
+        "  \"oracle_statistic\": {}, \"oracle_freedom\": {},\n"
         "  \"separation\": {}, \"nearest_wrong\": {}, \"nearest_wrong_channel\": {},\n"
         "  \"pair_separation\": {}, \"lambda_given_other\": {},\n"
         "  \"intervals\": {},\n  \"recorded_channels\": {},\n"
@@ -54,10 +55,11 @@ std::string key_text(const Key& k) {
         json_text(k.name), json_text(to_string(k.kind)), json_text(k.subkind), json_text(k.rig),
         words(k.effects), words(k.channels), json_text(k.outside), list(k.parameters, parameter),
         number(k.idr), number(k.n_eff), number(k.lambda), number(k.oracle_power),
-        number(k.separation.d), json_text(k.separation.effect), json_text(k.separation.channel),
-        number(k.pair_separation), list(k.lambda_given_other, number), list(k.intervals, interval),
-        k.recorded_channels, number(k.oracle_held_out), number(k.base_held_out),
-        number(k.noise_floor), number(k.noise.correlation), k.noise.heavy ? "true" : "false");
+        number(k.oracle_statistic), k.oracle_freedom, number(k.separation.d),
+        json_text(k.separation.effect), json_text(k.separation.channel), number(k.pair_separation),
+        list(k.lambda_given_other, number), list(k.intervals, interval), k.recorded_channels,
+        number(k.oracle_held_out), number(k.base_held_out), number(k.noise_floor),
+        number(k.noise.correlation), k.noise.heavy ? "true" : "false");
 }
 
 }  // namespace prove

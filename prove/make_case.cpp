@@ -287,12 +287,25 @@ void tell_held_out(Draft& d, const Eigen::VectorXd& recordings) {
     const Eigen::VectorXd seen = recordings.head(split);
     const Eigen::VectorXd unseen = recordings.tail(recordings.size() - split);
     const std::vector<Setup> later = chosen(d.sk.stated, held);
-    const auto predicted = [&](const World& start, const std::vector<Unknown>& list) {
-        const Fit f = fit(start, chosen(d.sk.stated, fits), list, d.sk.noise, seen);
-        return mean_nrmse(later, predict(f.world, later), unseen);
+    // What the user's program would answer, where it is the program that is at fault.
+    const auto by = [&](bool user, const std::vector<std::size_t>& list) {
+        std::vector<Setup> setups = chosen(d.sk.stated, list);
+        for (Setup& s : setups)
+            if (user) s.user = d.run;
+        return setups;
     };
-    d.key.oracle_held_out = predicted(d.world, unknowns);
-    d.key.base_held_out = predicted(d.sk.world, base_only);
+    const auto fitted = [&](const World& start, const std::vector<Unknown>& list, bool user) {
+        return fit(start, by(user, fits), list, d.sk.noise, seen);
+    };
+    const auto error = [&](const Fit& f, bool user) {
+        return mean_nrmse(later, predict(f.world, by(user, held)), unseen);
+    };
+    const Fit oracle = fitted(d.world, unknowns, false);
+    const Fit base = fitted(d.sk.world, base_only, d.run.used);
+    d.key.oracle_held_out = error(oracle, false);
+    d.key.base_held_out = error(base, d.run.used);
+    d.key.oracle_statistic = base.chi2 + base.penalty - oracle.chi2 - oracle.penalty;
+    d.key.oracle_freedom = std::max(1, static_cast<int>(unknowns.size() - base_only.size()));
     Eigen::VectorXd floor = unseen;
     Eigen::Index k = 0;
     for (const Setup& s : later)
@@ -368,6 +381,7 @@ BlindCase make_case(std::uint64_t seed, int number) {
     made.key_text = key_text(d.key);
     made.skeleton = std::move(d.sk);
     made.world = d.world;
+    made.recordings = recordings;
     return made;
 }
 
