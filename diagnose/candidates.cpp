@@ -35,7 +35,8 @@ Hypothesised plus(const Problem& p, const Hypothesised& h, const Term& term) {
 }
 
 // theta of `to`: what it shares with `from` from there, its last unknowns `own`.
-VectorXd carried(const Hypothesised& from, const VectorXd& theta, const Hypothesised& to, const VectorXd& own) {
+VectorXd carried(const Hypothesised& from, const VectorXd& theta, const Hypothesised& to,
+                 const VectorXd& own) {
     VectorXd result = start_of(to.unknowns);
     for (Index k = 0; k < result.size() - own.size(); ++k)
         for (std::size_t n = 0; n < from.unknowns.size(); ++n)
@@ -49,13 +50,19 @@ VectorXd carried(const Hypothesised& from, const VectorXd& theta, const Hypothes
 // Evidence of the fit and, for the share of strengths that cannot be seen, of the hypothesis without the term.
 void weigh(Candidate& c, const Candidate* start) {
     c.log_evidence = c.fit.log_evidence;
-    if (start && c.unseen > 0.0) c.log_evidence = log_sum(c.log_evidence, start->log_evidence + std::log(c.unseen));
+    if (start && c.unseen > 0.0)
+        c.log_evidence = log_sum(c.log_evidence, start->log_evidence + std::log(c.unseen));
 }
 
 int grid_points(const Term& t, Index k) {
     const std::string& key = t.unknowns[static_cast<std::size_t>(k)].key;
     if (t.effect == "vibration") return key == "frequency" ? 40 : key == "phase" ? 6 : 3;
     return k == 0 ? 8 : 4;
+}
+
+// u at a share of the way from one end of a grid to the other: the range, or two deviations either side.
+double grid_value(const Unknown& x, double share) {
+    return x.prior == Prior::gaussian ? 4.0 * share - 2.0 : share;
 }
 
 std::vector<VectorXd> grid_of(const Term& t) {
@@ -65,7 +72,9 @@ std::vector<VectorXd> grid_of(const Term& t) {
         const int count = grid_points(t, k);
         std::vector<VectorXd> finer;
         for (const VectorXd& g : grid)
-            for (int c = 0; c < count; ++c) finer.push_back(g), finer.back()[k] = (c + 0.5) / count;
+            for (int c = 0; c < count; ++c)
+                finer.push_back(g), finer.back()[k] = grid_value(
+                                        t.unknowns[static_cast<std::size_t>(k)], (c + 0.5) / count);
         grid = std::move(finer);
     }
     return grid;
@@ -74,29 +83,34 @@ std::vector<VectorXd> grid_of(const Term& t) {
 // The term's own fit, and other strengths with its further unknowns as there.
 std::vector<VectorXd> near(const Term& t, const VectorXd& u) {
     std::vector<VectorXd> list{u};
+    if (t.unknowns.empty()) return list;
     const int count = grid_points(t, 0);
-    for (int c = 0; c < count; ++c) list.push_back(u), list.back()[0] = (c + 0.5) / count;
+    for (int c = 0; c < count; ++c)
+        list.push_back(u), list.back()[0] = grid_value(t.unknowns[0], (c + 0.5) / count);
     return list;
 }
 
 struct Tried {
-    std::vector<std::pair<double, VectorXd>> best_first;  // chi squared at first order, values of the term's unknowns
-    double unseen;                                        // share of the grid that moves nothing by a sigma
+    std::vector<std::pair<double, VectorXd>>
+        best_first;  // chi squared at first order, values of the term's unknowns
+    double unseen;   // share of the grid that moves nothing by a sigma
 };
 
-Tried tried_on(const Problem& p, const Whitener& w, const Candidate& start, const Hypothesised& h, const Term& term,
-               const std::vector<VectorXd>& grid) {
+Tried tried_on(const Problem& p, const Whitener& w, const Candidate& start, const Hypothesised& h,
+               const Term& term, const std::vector<VectorXd>& grid) {
     const Projection project(start.h.unknowns, start.fit);
     const VectorXd left = project(start.fit.white);
     Tried t{{}, 0.0};
     for (const VectorXd& u : grid) {
         const VectorXd values = to_theta(term.unknowns, u);
-        const VectorXd d = project(w(predicted(p, h, carried(start.h, start.fit.theta, h, values)) - start.fit.prediction));
+        const VectorXd d = project(w(predicted(p, h, carried(start.h, start.fit.theta, h, values)) -
+                                     start.fit.prediction));
         if (d.squaredNorm() < 1.0) t.unseen += 1.0 / static_cast<double>(grid.size());
         const double chi = (left - d).squaredNorm();
         if (std::isfinite(chi)) t.best_first.push_back({chi, values});
     }
-    std::stable_sort(t.best_first.begin(), t.best_first.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::stable_sort(t.best_first.begin(), t.best_first.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
     return t;
 }
 
@@ -117,7 +131,8 @@ void in_parallel(std::size_t count, int threads, const std::function<void(std::s
         }
     };
     std::vector<std::thread> team;
-    for (int n = 1; n < threads && static_cast<std::size_t>(n) < count; ++n) team.emplace_back(work);
+    for (int n = 1; n < threads && static_cast<std::size_t>(n) < count; ++n)
+        team.emplace_back(work);
     work();
     for (std::thread& t : team) t.join();
     if (trouble) std::rethrow_exception(trouble);
@@ -133,9 +148,11 @@ Candidate extended(const Problem& p, const Whitener& w, const Candidate& start, 
     const Tried tried = tried_on(p, w, start, c.h, term, grid_of(term));
     c.unseen = tried.unseen;
     std::vector<std::pair<VectorXd, bool>> starts;
-    for (std::size_t k = 0; k < std::min<std::size_t>(2, tried.best_first.size()); ++k) starts.push_back({tried.best_first[k].second, false});
+    for (std::size_t k = 0; k < std::min<std::size_t>(2, tried.best_first.size()); ++k)
+        starts.push_back({tried.best_first[k].second, false});
     if (!starts.empty()) starts.push_back({tried.best_first.front().second, true});
-    if (tried.best_first.size() > 4) starts.push_back({tried.best_first[tried.best_first.size() / 2].second, true});
+    if (tried.best_first.size() > 4)
+        starts.push_back({tried.best_first[tried.best_first.size() / 2].second, true});
     bool first = true;
     for (const auto& [values, staged] : starts) {
         Fit f = fit(p, w, c.h, carried(start.h, start.fit.theta, c.h, values), staged);
@@ -145,11 +162,14 @@ Candidate extended(const Problem& p, const Whitener& w, const Candidate& start, 
     return c;
 }
 
-std::vector<Candidate> pairs_of(const Problem& p, const Whitener& w, const std::vector<Candidate>& singles, std::size_t beam,
+std::vector<Candidate> pairs_of(const Problem& p, const Whitener& w,
+                                const std::vector<Candidate>& singles, std::size_t beam,
                                 std::size_t most, int threads) {
     std::vector<std::size_t> order(singles.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return singles[a].log_evidence > singles[b].log_evidence; });
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return singles[a].log_evidence > singles[b].log_evidence;
+    });
     struct Pair {
         std::size_t start, added;
         double chi_squared = std::numeric_limits<double>::max();
@@ -158,7 +178,8 @@ std::vector<Candidate> pairs_of(const Problem& p, const Whitener& w, const std::
     std::vector<Pair> list;
     for (std::size_t a = 0; a < std::min(beam, order.size()); ++a)
         for (std::size_t b = 0; b < order.size(); ++b)
-            if (singles[order[a]].h.terms[0]->effect != singles[order[b]].h.terms[0]->effect && (b >= beam || b > a))
+            if (singles[order[a]].h.terms[0]->effect != singles[order[b]].h.terms[0]->effect &&
+                (b >= beam || b > a))
                 list.push_back({order[a], order[b]});
     in_parallel(list.size(), threads, [&](std::size_t k) {
         Pair& pair = list[k];
@@ -166,14 +187,20 @@ std::vector<Candidate> pairs_of(const Problem& p, const Whitener& w, const std::
         const Term& term = *singles[pair.added].h.terms[0];
         const Hypothesised h = plus(p, start.h, term);
         const auto own = static_cast<Index>(term.unknowns.size());
-        const Tried tried = tried_on(p, w, start, h, term, near(term, to_u(term.unknowns, singles[pair.added].fit.theta.tail(own))));
+        const Tried tried =
+            tried_on(p, w, start, h, term,
+                     near(term, to_u(term.unknowns, singles[pair.added].fit.theta.tail(own))));
         if (tried.best_first.empty()) return;
-        pair.chi_squared = tried.best_first.front().first + start.fit.penalty + 3.0 * static_cast<double>(own);
+        pair.chi_squared =
+            tried.best_first.front().first + start.fit.penalty + 3.0 * static_cast<double>(own);
         pair.own = tried.best_first.front().second;
     });
-    std::stable_sort(list.begin(), list.end(), [](const Pair& a, const Pair& b) { return a.chi_squared < b.chi_squared; });
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Pair& a, const Pair& b) { return a.chi_squared < b.chi_squared; });
     list.resize(std::min(list.size(), most));
-    std::erase_if(list, [](const Pair& pair) { return pair.chi_squared == std::numeric_limits<double>::max(); });
+    std::erase_if(list, [](const Pair& pair) {
+        return pair.chi_squared == std::numeric_limits<double>::max();
+    });
     std::vector<Candidate> pairs(list.size());
     in_parallel(list.size(), threads, [&](std::size_t k) {
         const Candidate& start = singles[list[k].start];
@@ -191,7 +218,8 @@ void refit(const Problem& p, const Whitener& w, Candidate& c, const Candidate* s
     weigh(c, start);
 }
 
-std::vector<Candidate> with_missing_force(const Problem& p, const Whitener& w, const Candidate& start, std::vector<Term>& terms) {
+std::vector<Candidate> with_missing_force(const Problem& p, const Whitener& w,
+                                          const Candidate& start, std::vector<Term>& terms) {
     constexpr std::size_t knots = 8;
     // Range of every variable of the state over all recordings, of one rig.
     std::map<std::string, std::pair<double, double>> ranges;
@@ -199,12 +227,17 @@ std::vector<Candidate> with_missing_force(const Problem& p, const Whitener& w, c
     for (const Record& r : p.records) {
         if (r.experiment->rig == "impact") return {};
         const double d = r.experiment->grain.diameter.value.value();
-        weight = std::max(weight, r.experiment->grain.density.value.value() * 0.5236 * d * d * d * 9.81);
+        weight =
+            std::max(weight, r.experiment->grain.density.value.value() * 0.5236 * d * d * d * 9.81);
         if (r.experiment->rig == "pull_off")
             for (const double v : r.channels.front().recorded)
                 if (std::isfinite(v)) weight = std::max(weight, 0.05 * std::abs(v));
-        for (const auto& [name, values] : r.model->variables(world_at(p, start.h, start.fit.theta, r), r.ordinates)) {
-            auto& range = ranges.try_emplace(name, std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()).first->second;
+        for (const auto& [name, values] :
+             r.model->variables(world_at(p, start.h, start.fit.theta, r), r.ordinates)) {
+            auto& range = ranges
+                              .try_emplace(name, std::numeric_limits<double>::max(),
+                                           std::numeric_limits<double>::lowest())
+                              .first->second;
             for (const double v : values)
                 if (std::isfinite(v)) range = {std::min(range.first, v), std::max(range.second, v)};
         }
@@ -212,7 +245,8 @@ std::vector<Candidate> with_missing_force(const Problem& p, const Whitener& w, c
     terms.clear();
     terms.reserve(ranges.size());
     for (const auto& [name, range] : ranges)
-        if (range.second > range.first && name != "impact_speed") terms.push_back(missing_force(name, range.first, range.second, knots, weight));
+        if (range.second > range.first && name != "impact_speed")
+            terms.push_back(missing_force(name, range.first, range.second, knots, weight));
     const Projection project(start.h.unknowns, start.fit);
     const VectorXd left = project(start.fit.white);
     std::vector<Candidate> all;
@@ -234,22 +268,31 @@ std::vector<Candidate> with_missing_force(const Problem& p, const Whitener& w, c
             MatrixXd m = a;
             m.diagonal().array() += 1.0 / (s * s);
             const Eigen::LDLT<MatrixXd> ldlt(m);
-            const double log_det = ldlt.vectorD().array().abs().log().sum() + 2.0 * static_cast<double>(knots) * std::log(s);
+            const double log_det = ldlt.vectorD().array().abs().log().sum() +
+                                   2.0 * static_cast<double>(knots) * std::log(s);
             const double log_z = 0.5 * b.dot(ldlt.solve(b)) - 0.5 * log_det;
             if (log_z > best) best = log_z, chosen = s;
         }
-        for (Unknown& u : term.unknowns) u.deviation = chosen * weight, u.low = -100.0 * u.deviation, u.high = 100.0 * u.deviation;
+        for (Unknown& u : term.unknowns)
+            u.deviation = chosen * weight, u.low = -100.0 * u.deviation,
+            u.high = 100.0 * u.deviation;
         h = plus(p, start.h, term);
-        Candidate c{.h = h, .fit = fit(p, w, h, carried(start.h, start.fit.theta, h, VectorXd::Zero(static_cast<Index>(knots))), false, 10)};
+        Candidate c{.h = h,
+                    .fit = fit(p, w, h,
+                               carried(start.h, start.fit.theta, h,
+                                       VectorXd::Zero(static_cast<Index>(knots))),
+                               false, 10)};
         // The size was chosen among some 20, the variable among those there are.
         c.log_evidence = c.fit.log_evidence - 2.0;
         all.push_back(std::move(c));
     }
-    std::stable_sort(all.begin(), all.end(), [](const auto& x, const auto& y) { return x.log_evidence > y.log_evidence; });
+    std::stable_sort(all.begin(), all.end(),
+                     [](const auto& x, const auto& y) { return x.log_evidence > y.log_evidence; });
     return all;
 }
 
-double separation(const Problem& p, const Whitener& w, const Candidate& truth, const Candidate& other) {
+double separation(const Problem& p, const Whitener& w, const Candidate& truth,
+                  const Candidate& other) {
     const VectorXd shown = predicted(p, truth.h, truth.fit.theta);
     return fit_to(p, w, other.h, shown, other.fit.theta, false, 12).white.norm();
 }

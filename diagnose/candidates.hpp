@@ -15,7 +15,8 @@ struct Candidate {
     Hypothesised h;
     Fit fit;
     double log_evidence = 0.0;  // of the fit, and of strengths too small to be seen
-    double unseen = 0.0;        // share of the prior of the last term that these recordings could not show
+    double unseen =
+        0.0;  // share of the prior of the last term that these recordings could not show
     std::string name() const { return h.name(); }
 };
 
@@ -25,7 +26,8 @@ Candidate extended(const Problem&, const Whitener&, const Candidate& start, cons
 
 // Pairs of `singles` whose effects differ: the `beam` singles of most evidence with every other. All are tried at first order
 // from the fits of the singles, the `most` best ones fitted.
-std::vector<Candidate> pairs_of(const Problem&, const Whitener&, const std::vector<Candidate>& singles, std::size_t beam,
+std::vector<Candidate> pairs_of(const Problem&, const Whitener&,
+                                const std::vector<Candidate>& singles, std::size_t beam,
                                 std::size_t most, int threads);
 
 // The same from where it stands, under another whitener; `start` is what the last term was added to, itself refitted.
@@ -34,7 +36,8 @@ void refit(const Problem&, const Whitener&, Candidate&, const Candidate* start);
 // The force that is missing along the variable of the state that explains most: `start` plus knots, each a Gaussian about
 // nothing whose size is that of greatest evidence. `term` receives the term, which the candidate points to. Nothing where the
 // rig takes no such force.
-std::vector<Candidate> with_missing_force(const Problem&, const Whitener&, const Candidate& start, std::vector<Term>& terms);
+std::vector<Candidate> with_missing_force(const Problem&, const Whitener&, const Candidate& start,
+                                          std::vector<Term>& terms);
 
 // sqrt(chi squared) that `other`, refitted, leaves where `truth` is what is recorded, without noise: how many sigma they are
 // apart. The problem may hold further experiments than those of the fits.

@@ -13,11 +13,23 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 Unknown log_range(const std::string& name, const std::string& unit, double low, double high) {
-    return {.name = name, .unit = unit, .key = name, .prior = Prior::log_uniform, .low = low, .high = high,
+    return {.name = name,
+            .unit = unit,
+            .key = name,
+            .prior = Prior::log_uniform,
+            .low = low,
+            .high = high,
             .start = std::sqrt(low * high)};
 }
-Unknown range(const std::string& name, const std::string& unit, double low, double high, double start) {
-    return {.name = name, .unit = unit, .key = name, .prior = Prior::uniform, .low = low, .high = high, .start = start};
+Unknown range(const std::string& name, const std::string& unit, double low, double high,
+              double start) {
+    return {.name = name,
+            .unit = unit,
+            .key = name,
+            .prior = Prior::uniform,
+            .low = low,
+            .high = high,
+            .start = start};
 }
 
 // What sets the size of things in a case: its first experiment.
@@ -39,7 +51,8 @@ Sizes sizes_of(const Problem& p) {
         for (const Channel& c : r.channels) s.channels.insert(c.name);
         const double speed = e.rig == "pull_off" ? 0.0 : std::abs(stated(e, "speed", "m/s"));
         const double height = e.rig == "drop" ? stated(e, "height", "m") : 0.0;
-        s.speed = std::max(s.speed, std::hypot(speed, std::sqrt(2.0 * e.surroundings.gravity.value() * height)));
+        s.speed = std::max(
+            s.speed, std::hypot(speed, std::sqrt(2.0 * e.surroundings.gravity.value() * height)));
     }
     if (s.speed == 0.0) s.speed = 1.0;
     return s;
@@ -58,35 +71,72 @@ struct Entry {
 const std::vector<Entry>& entries() {
     using U = std::vector<Unknown>;
     static const std::vector<Entry> table{
-        {"air_drag", {}, false, [](const Sizes&) { return U{log_range("drag_factor", "1", 0.1, 10.0)}; }},
+        {"air_drag",
+         {},
+         false,
+         [](const Sizes&) { return U{log_range("drag_factor", "1", 0.1, 10.0)}; }},
         {"buoyancy", {}, false, [](const Sizes&) { return U{}; }},
-        {"adhesion", {}, false, [](const Sizes&) { return U{log_range("work_of_adhesion", "J/m^2", 1e-4, 10.0)}; }},
-        {"van_der_waals", {}, false, [](const Sizes&) { return U{log_range("hamaker_constant", "J", 1e-21, 2e-18)}; }},
-        {"capillary_bridge", {}, false,
+        {"adhesion",
+         {},
+         false,
+         [](const Sizes&) { return U{log_range("work_of_adhesion", "J/m^2", 1e-4, 10.0)}; }},
+        {"van_der_waals",
+         {},
+         false,
+         [](const Sizes&) { return U{log_range("hamaker_constant", "J", 1e-21, 2e-18)}; }},
+        {"capillary_bridge",
+         {},
+         false,
          [](const Sizes& s) {
              const double r3 = s.radius * s.radius * s.radius;
-             return U{log_range("surface_tension", "N/m", 0.005, 0.6), log_range("liquid_volume", "m^3", 1e-7 * r3, 0.5 * r3)};
+             return U{log_range("surface_tension", "N/m", 0.005, 0.6),
+                      log_range("liquid_volume", "m^3", 1e-7 * r3, 0.5 * r3)};
          }},
-        {"electrostatic", {}, false,
+        {"electrostatic",
+         {},
+         false,
          [](const Sizes& s) {
-             const double most = 26.6e-6 * 4.0 * pi * s.radius * s.radius;  // C: breakdown of air at a flat surface
+             const double most =
+                 26.6e-6 * 4.0 * pi * s.radius * s.radius;  // C: breakdown of air at a flat surface
              return U{log_range("charge", "C", 1e-4 * most, 100.0 * most)};
          }},
-        {"rolling_resistance", {}, false, [](const Sizes&) { return U{log_range("rolling_friction", "1", 1e-4, 0.5)}; }},
-        {"viscoelastic_restitution", {"restitution"}, false,
+        {"rolling_resistance",
+         {},
+         false,
+         [](const Sizes&) { return U{log_range("rolling_friction", "1", 1e-4, 0.5)}; }},
+        {"viscoelastic_restitution",
+         {"restitution"},
+         false,
          [](const Sizes&) { return U{log_range("loss_coefficient", "(s/m)^(1/5)", 0.01, 0.9)}; }},
-        {"plastic_restitution", {}, false,
-         [](const Sizes& s) { return U{log_range("yield_velocity", "m/s", 1e-3 * s.speed, s.speed)}; }},
-        {"velocity_dependent_friction", {}, true,
+        {"plastic_restitution",
+         {},
+         false,
          [](const Sizes& s) {
-             return U{range("dynamic_friction", "1", 0.0, 1.2, 0.2), log_range("friction_velocity", "m/s", 3e-3 * s.speed, 3.0 * s.speed)};
+             return U{log_range("yield_velocity", "m/s", 1e-3 * s.speed, s.speed)};
          }},
-        {"tangential_compliance", {}, false, [](const Sizes&) { return U{log_range("stiffness_ratio", "1", 0.1, 10.0)}; }},
-        {"tilt", {}, true, [](const Sizes&) { return U{range("tilt_angle", "rad", -0.26, 0.26, 0.02)}; }},
-        {"vibration", {}, false,
+        {"velocity_dependent_friction",
+         {},
+         true,
          [](const Sizes& s) {
-             return U{log_range("amplitude", "m", 1e-7, 1e-2 * std::max(0.1, s.speed * s.speed / 20.0)),
-                      log_range("frequency", "Hz", 2.0, 500.0), range("phase", "rad", 0.0, 2.0 * pi, 1.0)};
+             return U{range("dynamic_friction", "1", 0.0, 1.2, 0.2),
+                      log_range("friction_velocity", "m/s", 3e-3 * s.speed, 3.0 * s.speed)};
+         }},
+        {"tangential_compliance",
+         {},
+         false,
+         [](const Sizes&) { return U{log_range("stiffness_ratio", "1", 0.1, 10.0)}; }},
+        {"tilt",
+         {},
+         true,
+         [](const Sizes&) { return U{range("tilt_angle", "rad", -0.26, 0.26, 0.02)}; }},
+        {"vibration",
+         {},
+         false,
+         [](const Sizes& s) {
+             return U{
+                 log_range("amplitude", "m", 1e-7, 1e-2 * std::max(0.1, s.speed * s.speed / 20.0)),
+                 log_range("frequency", "Hz", 2.0, 500.0),
+                 range("phase", "rad", 0.0, 2.0 * pi, 1.0)};
          }},
     };
     return table;
@@ -96,7 +146,8 @@ bool can_act(const Problem& p, const std::string& effect) {
     return std::any_of(p.records.begin(), p.records.end(), [&](const Record& r) {
         if (effect == "buoyancy" || effect == "air_drag")
             if (r.experiment->surroundings.fluid_density.value() <= 0.0) return false;
-        if (effect == "air_drag" && r.experiment->surroundings.fluid_viscosity.value() <= 0.0) return false;
+        if (effect == "air_drag" && r.experiment->surroundings.fluid_viscosity.value() <= 0.0)
+            return false;
         return r.model->effects().contains(effect);
     });
 }
@@ -105,7 +156,8 @@ bool can_act(const Problem& p, const std::string& effect) {
 bool moves_sideways(const Problem& p) {
     return std::any_of(p.records.begin(), p.records.end(), [](const Record& r) {
         const cases::Experiment& e = *r.experiment;
-        return e.rig != "drop" || stated(e, "horizontal_speed", "m/s") != 0.0 || stated(e, "spin", "rad/s") != 0.0;
+        return e.rig != "drop" || stated(e, "horizontal_speed", "m/s") != 0.0 ||
+               stated(e, "spin", "rad/s") != 0.0;
     });
 }
 
@@ -130,14 +182,29 @@ std::string unit_of_channel(const std::string& name) {
     return name.ends_with("spin") ? "rad/s" : "1";
 }
 
+// Of an instrument that somebody has calibrated: a few per cent.
+Unknown instrument_factor(const std::string& name) {
+    return {.name = name,
+            .unit = "1",
+            .key = name,
+            .prior = Prior::gaussian,
+            .low = 0.8,
+            .high = 1.25,
+            .mean = 1.0,
+            .deviation = 0.05,
+            .start = 1.0};
+}
+
 Term scale_of(const std::string& channels) {
-    Unknown u = range("scale", "1", 0.85, 1.18, 1.0);
+    Unknown u = instrument_factor("scale");
     u.target = Target::scale, u.key = channels;
     return {.effect = "measurement_scale", .channel = channels, .unknowns = {u}, .two_sided = true};
 }
 
 void add_measurement(std::vector<Term>& list, const Problem& p, const Sizes& s) {
-    const bool over_drive = std::any_of(p.records.begin(), p.records.end(), [](const Record& r) { return r.ordinate == "displacement"; });
+    const bool over_drive = std::any_of(p.records.begin(), p.records.end(), [](const Record& r) {
+        return r.ordinate == "displacement";
+    });
     const bool camera = s.channels.contains("z");
     if (camera) list.push_back(scale_of(s.channels.contains("x") ? "z,x" : "z"));
     for (const std::string& c : s.channels) {
@@ -147,10 +214,11 @@ void add_measurement(std::vector<Term>& list, const Problem& p, const Sizes& s) 
         if (!(widest > 0.0)) continue;
         Unknown u = range("offset", unit_of_channel(c), -widest, widest, 0.0);
         u.target = Target::offset, u.key = c;
-        list.push_back({.effect = "measurement_offset", .channel = c, .unknowns = {u}, .two_sided = true});
+        list.push_back(
+            {.effect = "measurement_offset", .channel = c, .unknowns = {u}, .two_sided = true});
     }
     if (s.rigs.contains("drop") || s.rigs.contains("incline")) {
-        Unknown u = range("factor", "1", 0.85, 1.18, 1.0);
+        Unknown u = instrument_factor("factor");
         u.target = Target::time_factor;
         list.push_back({.effect = "time_base", .unknowns = {u}, .two_sided = true});
     }
@@ -168,20 +236,27 @@ std::vector<Term> catalogue(const Problem& p) {
     for (const Entry& e : entries()) {
         if (s.physics.contains(e.effect) || !can_act(p, e.effect)) continue;
         if (e.effect == "tangential_compliance" && !s.physics.contains("hertz_coulomb")) continue;
-        const bool through_friction = e.effect == "velocity_dependent_friction" || e.effect == "rolling_resistance" ||
+        const bool through_friction = e.effect == "velocity_dependent_friction" ||
+                                      e.effect == "rolling_resistance" ||
                                       e.effect == "tangential_compliance";
         if (through_friction && !moves_sideways(p)) continue;
-        list.push_back({.effect = e.effect, .unknowns = e.unknowns(s), .idle = e.idle, .two_sided = e.two_sided});
+        list.push_back({.effect = e.effect,
+                        .unknowns = e.unknowns(s),
+                        .idle = e.idle,
+                        .two_sided = e.two_sided});
     }
     add_measurement(list, p, s);
-    if (p.world.numerics && is_numerical(*p.world.numerics)) list.push_back({.effect = "numerical_artefact", .unknowns = {}});
+    if (p.world.numerics && is_numerical(*p.world.numerics))
+        list.push_back({.effect = "numerical_artefact", .unknowns = {}});
     return list;
 }
 
-Term missing_force(const std::string& variable, double low, double high, std::size_t knots, double size) {
+Term missing_force(const std::string& variable, double low, double high, std::size_t knots,
+                   double size) {
     Term t{.effect = "unknown", .unknowns = {}, .two_sided = true, .missing_variable = variable};
     for (std::size_t k = 0; k < knots; ++k) {
-        t.missing_knots.push_back(low + (high - low) * static_cast<double>(k) / static_cast<double>(knots - 1));
+        t.missing_knots.push_back(low + (high - low) * static_cast<double>(k) /
+                                            static_cast<double>(knots - 1));
         t.unknowns.push_back({.name = "force_" + std::to_string(k + 1),
                               .unit = "N",
                               .target = Target::missing_force_knot,
@@ -196,10 +271,12 @@ Term missing_force(const std::string& variable, double low, double high, std::si
 }
 
 bool is_measurement(const std::string& effect) {
-    return effect.starts_with("measurement_") || effect == "time_base" || effect == "numerical_artefact";
+    return effect.starts_with("measurement_") || effect == "time_base" ||
+           effect == "numerical_artefact";
 }
 
-double drag_coefficient(const Problem& p, const Hypothesised& h, const Eigen::VectorXd& theta, double factor) {
+double drag_coefficient(const Problem& p, const Hypothesised& h, const Eigen::VectorXd& theta,
+                        double factor) {
     double fastest = 0.0;
     const cases::Experiment* where = nullptr;
     for (const Record& r : p.records) {
@@ -207,7 +284,8 @@ double drag_coefficient(const Problem& p, const Hypothesised& h, const Eigen::Ve
         const auto speed = state.find("speed");
         if (speed == state.end()) continue;
         for (const double v : speed->second)
-            if (std::isfinite(v) && std::abs(v) > fastest) fastest = std::abs(v), where = r.experiment;
+            if (std::isfinite(v) && std::abs(v) > fastest)
+                fastest = std::abs(v), where = r.experiment;
     }
     return where ? factor * rigs::drag_curve(*where, fastest) : factor;
 }

@@ -16,12 +16,14 @@ std::vector<Term> catalogue(const Problem&);
 
 // A force that no law explains, along `variable`, of `knots` values between `low` and `high`; each a Gaussian of deviation
 // `size` (N) about nothing.
-Term missing_force(const std::string& variable, double low, double high, std::size_t knots, double size);
+Term missing_force(const std::string& variable, double low, double high, std::size_t knots,
+                   double size);
 
 // No physics: scale, offset, time base, numerical artefact.
 bool is_measurement(const std::string& effect);
 
 // The drag coefficient that stands for `drag_factor`: at the fastest speed that the fit recordings reach.
-double drag_coefficient(const Problem&, const Hypothesised&, const Eigen::VectorXd& theta, double factor);
+double drag_coefficient(const Problem&, const Hypothesised&, const Eigen::VectorXd& theta,
+                        double factor);
 
 }  // namespace diagnose

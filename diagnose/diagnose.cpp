@@ -27,9 +27,9 @@ using Eigen::VectorXd;
 
 // Prior over hypotheses, before any recording is seen (docs/diagnose.md).
 constexpr double prior_none = 0.35, prior_unknown = 0.07, prior_singles = 0.48, prior_pairs = 0.10;
-constexpr double own_level = 0.01;      // below it a model fails its own test of mismatch
-constexpr double far_apart = 3.0;       // sigma between two hypotheses that recordings can tell apart
-constexpr double odds_to_name = 3.0;    // log odds against every rival
+constexpr double own_level = 0.01;    // below it a model fails its own test of mismatch
+constexpr double far_apart = 3.0;     // sigma between two hypotheses that recordings can tell apart
+constexpr double odds_to_name = 3.0;  // log odds against every rival
 constexpr int draws = 1999;
 
 struct Judge {
@@ -40,21 +40,24 @@ struct Judge {
     Noise noise;
     std::unique_ptr<Whitener> whiten;
     Candidate base;
-    std::vector<Candidate> singles;          // [terms]
+    std::vector<Candidate> singles;  // [terms]
     std::vector<Candidate> pairs;
     std::vector<Term> force_terms;
-    std::vector<Candidate> forces;           // falling evidence
+    std::vector<Candidate> forces;  // falling evidence
     std::vector<double> innovations;
     Mismatch mismatch{};
     Verdict verdict{};
 
-    Judge(const cases::Case& c, const Settings& s) : given(c), settings(s), problem(problem_of(c)) {}
+    Judge(const cases::Case& c, const Settings& s)
+        : given(c), settings(s), problem(problem_of(c)) {}
     void report(double share, const std::string& what) const {
         if (settings.progress && !settings.progress(share, what)) throw Interrupted{};
     }
     const Candidate& richest() const {
         const Candidate* best = &base;
-        const auto cost = [](const Candidate& c) { return c.fit.objective() + 2.0 * static_cast<double>(c.h.unknowns.size()); };
+        const auto cost = [](const Candidate& c) {
+            return c.fit.objective() + 2.0 * static_cast<double>(c.h.unknowns.size());
+        };
         for (const std::vector<Candidate>* list : {&singles, &pairs, &forces})
             for (const Candidate& c : *list)
                 if (cost(c) < cost(*best) - 2.0) best = &c;
@@ -76,14 +79,16 @@ Candidate base_of(const Problem& p, const Whitener& w) {
 
 void Judge::fit_singles() {
     singles.assign(terms.size(), {});
-    in_parallel(terms.size(), settings.threads, [&](std::size_t k) { singles[k] = extended(problem, *whiten, base, terms[k]); });
+    in_parallel(terms.size(), settings.threads,
+                [&](std::size_t k) { singles[k] = extended(problem, *whiten, base, terms[k]); });
     // An effect's fit may have found a better place for the base parameters, too.
     for (const Candidate& c : singles) {
         if (c.fit.theta.size() == 0 || c.h.unknowns.size() < base.h.unknowns.size()) continue;
         VectorXd theta = c.fit.theta.head(base.fit.theta.size());
         if (c.h.terms.front()->idle.empty()) {
             Candidate again{.h = base.h, .fit = fit(problem, *whiten, base.h, theta, false)};
-            if (again.fit.objective() < base.fit.objective() - 1e-3) again.log_evidence = again.fit.log_evidence, base = std::move(again);
+            if (again.fit.objective() < base.fit.objective() - 1e-3)
+                again.log_evidence = again.fit.log_evidence, base = std::move(again);
         }
     }
 }
@@ -96,7 +101,8 @@ void Judge::estimate_noise() {
 
 void Judge::refit_all() {
     refit(problem, *whiten, base, nullptr);
-    in_parallel(singles.size(), settings.threads, [&](std::size_t k) { refit(problem, *whiten, singles[k], &base); });
+    in_parallel(singles.size(), settings.threads,
+                [&](std::size_t k) { refit(problem, *whiten, singles[k], &base); });
 }
 
 Mismatch Judge::test(const Candidate& c, int n) const {
@@ -139,8 +145,10 @@ std::vector<Group> groups_of(const Judge& j) {
     for (const auto& [effects, candidates] : sorted) {
         Group g{.effects = effects};
         const bool unknown = effects == std::vector<std::string>{"unknown"};
-        const double prior = effects.empty() ? prior_none : unknown ? prior_unknown
-                             : effects.size() == 1 ? prior_singles / singles : prior_pairs / all_pairs;
+        const double prior = effects.empty()       ? prior_none
+                             : unknown             ? prior_unknown
+                             : effects.size() == 1 ? prior_singles / singles
+                                                   : prior_pairs / all_pairs;
         for (const Candidate* c : candidates) {
             if (!g.best || c->log_evidence > g.best->log_evidence) g.best = c;
             g.log_weight = log_sum(g.log_weight, c->log_evidence);
@@ -151,15 +159,20 @@ std::vector<Group> groups_of(const Judge& j) {
     double all = -1e300;
     for (const Group& g : list) all = log_sum(all, g.log_weight);
     for (Group& g : list) g.probability = std::exp(g.log_weight - all);
-    std::stable_sort(list.begin(), list.end(), [](const Group& a, const Group& b) { return a.log_weight > b.log_weight; });
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Group& a, const Group& b) { return a.log_weight > b.log_weight; });
     return list;
 }
 
-bool same(const std::vector<std::string>& a, const char* one) { return a.size() == 1 && a.front() == one; }
+bool same(const std::vector<std::string>& a, const char* one) {
+    return a.size() == 1 && a.front() == one;
+}
 
 // Wider than the other: the same effects and one more.
 bool contains(const std::vector<std::string>& wide, const std::vector<std::string>& narrow) {
-    return std::all_of(narrow.begin(), narrow.end(), [&](const std::string& n) { return std::find(wide.begin(), wide.end(), n) != wide.end(); });
+    return std::all_of(narrow.begin(), narrow.end(), [&](const std::string& n) {
+        return std::find(wide.begin(), wide.end(), n) != wide.end();
+    });
 }
 
 std::vector<Estimate> estimates(const Judge& j, const Candidate& c, const Term* term) {
@@ -197,8 +210,17 @@ std::vector<Estimate> estimates(const Judge& j, const Candidate& c, const Term* 
 
 MissingForceEstimate missing_of(const Candidate& c) {
     const Term& term = *c.h.terms.back();
-    MissingForceEstimate m{.variable = term.missing_variable, .unit = "", .knots = term.missing_knots, .force = {}, .low = {}, .high = {}, .words = ""};
-    m.unit = m.variable == "t" ? "s" : m.variable == "speed" || m.variable == "slip" ? "m/s" : m.variable == "spin" ? "rad/s" : "m";
+    MissingForceEstimate m{.variable = term.missing_variable,
+                           .unit = "",
+                           .knots = term.missing_knots,
+                           .force = {},
+                           .low = {},
+                           .high = {},
+                           .words = ""};
+    m.unit = m.variable == "t"                               ? "s"
+             : m.variable == "speed" || m.variable == "slip" ? "m/s"
+             : m.variable == "spin"                          ? "rad/s"
+                                                             : "m";
     const VectorXd errors = standard_errors(c.h.unknowns, c.fit);
     const auto n = static_cast<Index>(term.unknowns.size());
     for (Index k = c.fit.theta.size() - n; k < c.fit.theta.size(); ++k) {
@@ -212,17 +234,25 @@ MissingForceEstimate missing_of(const Candidate& c) {
 
 // Why recordings cannot show left-out physics; empty where they can.
 std::string cannot_show(const Problem& p) {
-    if (p.records.empty()) return "No experiment with role fit has a recording: what is held out takes no part in any fit.";
+    if (p.records.empty())
+        return "No experiment with role fit has a recording: what is held out takes no part in any "
+               "fit.";
     std::size_t rows = 0, moving = 0;
     for (const Record& r : p.records)
         for (const Channel& c : r.channels) {
             std::set<double> values, places;
             for (std::size_t k = 0; k < c.recorded.size(); ++k)
-                if (std::isfinite(c.recorded[k])) values.insert(c.recorded[k]), places.insert(r.ordinates.at[k]), ++rows;
+                if (std::isfinite(c.recorded[k]))
+                    values.insert(c.recorded[k]), places.insert(r.ordinates.at[k]), ++rows;
             if (values.size() > 2 && places.size() > 2) ++moving;
         }
-    if (rows < 6) return fmt::format("There are {} recorded values in all: a few scalars can be fitted by many kinds of physics.", rows);
-    if (moving == 0) return "No recorded channel varies: a constant can be fitted by many kinds of physics.";
+    if (rows < 6)
+        return fmt::format(
+            "There are {} recorded values in all: a few scalars can be fitted by many kinds of "
+            "physics.",
+            rows);
+    if (moving == 0)
+        return "No recorded channel varies: a constant can be fitted by many kinds of physics.";
     return {};
 }
 
@@ -251,8 +281,15 @@ void decide(Judge& j) {
     const auto effect_of = [&](const Group& g, const Term* term, const std::string& name) {
         double marginal = 0.0;
         for (const Group& other : groups)
-            if (std::find(other.effects.begin(), other.effects.end(), name) != other.effects.end()) marginal += other.probability;
-        Effect e{.name = name, .probability = marginal, .named = false, .parameters = {}, .gates = {}, .why = {}, .missing = {}};
+            if (std::find(other.effects.begin(), other.effects.end(), name) != other.effects.end())
+                marginal += other.probability;
+        Effect e{.name = name,
+                 .probability = marginal,
+                 .named = false,
+                 .parameters = {},
+                 .gates = {},
+                 .why = {},
+                 .missing = {}};
         if (term && term->missing_variable.empty()) e.parameters = estimates(j, *g.best, term);
         if (term && !term->missing_variable.empty()) e.missing = missing_of(*g.best);
         return e;
@@ -275,7 +312,8 @@ void decide(Judge& j) {
         ++asked;
         if (own[&g] >= own_level && !winner) winner = &g;
     }
-    const bool beaten_by_unknown = winner && unknown && unknown->log_weight > winner->log_weight + 5.0;
+    const bool beaten_by_unknown =
+        winner && unknown && unknown->log_weight > winner->log_weight + 5.0;
     if (!winner || beaten_by_unknown) {
         v.answer = Answer::unexplained;
         if (unknown) {
@@ -286,12 +324,16 @@ void decide(Judge& j) {
             const_cast<Group*>(unknown)->probability += moved;
         } else {
             for (Group& g : groups) g.probability *= 0.1;
-            groups.push_back({.effects = {"unknown"}, .best = &j.base, .log_weight = 0.0, .probability = 0.9});
+            groups.push_back(
+                {.effects = {"unknown"}, .best = &j.base, .log_weight = 0.0, .probability = 0.9});
         }
-        std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) { return a.probability > b.probability; });
+        std::stable_sort(groups.begin(), groups.end(), [](const Group& a, const Group& b) {
+            return a.probability > b.probability;
+        });
         for (const Group& g : groups)
             if (same(g.effects, "unknown")) {
-                v.effects.push_back(effect_of(g, g.best->h.terms.empty() ? nullptr : g.best->h.terms.back(), "unknown"));
+                v.effects.push_back(effect_of(
+                    g, g.best->h.terms.empty() ? nullptr : g.best->h.terms.back(), "unknown"));
                 break;
             }
         publish();
@@ -306,19 +348,25 @@ void decide(Judge& j) {
     const Group* rival = nullptr;
     double nearest = 1e300;
     for (const Group& g : groups) {
-        if (&g == winner || same(g.effects, "unknown") || contains(g.effects, winner->effects)) continue;
+        if (&g == winner || same(g.effects, "unknown") || contains(g.effects, winner->effects))
+            continue;
         const double behind = winner->log_weight - g.log_weight;
         if (behind > 14.0) continue;
-        const bool explains = g.effects.empty() ? v.p_value > own_level : own.contains(&g) ? own[&g] >= own_level : j.own_p(*g.best, 399) >= own_level;
-        const double apart = separation(both, w, truth, carried_over(both, *g.best));
+        const bool explains = g.effects.empty()  ? v.p_value > own_level
+                              : own.contains(&g) ? own[&g] >= own_level
+                                                 : j.own_p(*g.best, 399) >= own_level;
+        double apart = separation(both, w, truth, carried_over(both, *g.best));
         const bool alike = behind < odds_to_name || apart < far_apart;
-        if (alike && (explains || behind < odds_to_name) && apart < nearest) nearest = apart, rival = &g;
+        // Chance is the first rival of any name.
+        if (g.effects.empty() && behind < odds_to_name) apart = 0.0;
+        if (alike && (explains || behind < odds_to_name) && apart < nearest)
+            nearest = apart, rival = &g;
     }
     std::vector<const Term*> named_terms = winner->best->h.terms;
-    const GateInput input{j.problem, *j.whiten, j.base, *winner->best, own[winner],
-                          [&] {
+    const GateInput input{j.problem, *j.whiten, j.base, *winner->best, own[winner], [&] {
                               for (const Candidate& c : j.singles)
-                                  if (c.h.terms.front()->effect == "numerical_artefact") return j.own_p(c, 399);
+                                  if (c.h.terms.front()->effect == "numerical_artefact")
+                                      return j.own_p(c, 399);
                               return std::nan("");
                           }()};
     const double gain = j.base.fit.objective() - winner->best->fit.objective();
@@ -338,11 +386,14 @@ void decide(Judge& j) {
             for (const Group& g : groups)
                 if (&g != winner && !rival) rival = &g;
         for (const Term* t : rival->best->h.terms)
-            if (std::none_of(v.effects.begin(), v.effects.end(), [&](const Effect& e) { return e.name == t->effect; }))
+            if (std::none_of(v.effects.begin(), v.effects.end(),
+                             [&](const Effect& e) { return e.name == t->effect; }))
                 v.effects.push_back(effect_of(*rival, t, t->effect));
         // The two that are alike stand first.
         std::stable_sort(groups.begin(), groups.end(), [&](const Group& a, const Group& b) {
-            const auto rank = [&](const Group& g) { return g.effects == winner->effects ? 0 : g.effects == rival->effects ? 1 : 2; };
+            const auto rank = [&](const Group& g) {
+                return g.effects == winner->effects ? 0 : g.effects == rival->effects ? 1 : 2;
+            };
             return rank(a) < rank(b);
         });
         j.report(0.9, "the next experiment");
@@ -350,14 +401,16 @@ void decide(Judge& j) {
     const Candidate* first = winner->best;
     const Candidate* second = rival ? rival->best : nullptr;
     if (v.answer == Answer::ambiguous && second)
-        v.next_experiment = next_experiment(j.problem, j.noise, *first, *second, j.settings.threads);
+        v.next_experiment =
+            next_experiment(j.problem, j.noise, *first, *second, j.settings.threads);
     publish();
     for (Effect& e : v.effects) e.why = reasons(e.name, e.probability, gain, {});
 }
 
 }  // namespace
 
-Verdict diagnose(const cases::Case& given, const Settings& settings, const std::function<void(cases::Case&)>& open_held_out) {
+Verdict diagnose(const cases::Case& given, const Settings& settings,
+                 const std::function<void(cases::Case&)>& open_held_out) {
     Judge j(given, settings);
     Verdict& v = j.verdict;
     v.title = given.title, v.seed = settings.seed, v.p_value = 1.0;
@@ -389,8 +442,11 @@ Verdict diagnose(const cases::Case& given, const Settings& settings, const std::
         double best_own = 0.0;
         std::vector<const Candidate*> order;
         for (const Candidate& c : j.singles) order.push_back(&c);
-        std::stable_sort(order.begin(), order.end(), [](const Candidate* a, const Candidate* b) { return a->log_evidence > b->log_evidence; });
-        for (std::size_t k = 0; k < std::min<std::size_t>(2, order.size()); ++k) best_own = std::max(best_own, j.own_p(*order[k], 399));
+        std::stable_sort(order.begin(), order.end(), [](const Candidate* a, const Candidate* b) {
+            return a->log_evidence > b->log_evidence;
+        });
+        for (std::size_t k = 0; k < std::min<std::size_t>(2, order.size()); ++k)
+            best_own = std::max(best_own, j.own_p(*order[k], 399));
         if (best_own < 0.02) {
             j.report(0.55, "pairs of effects");
             j.pairs = pairs_of(j.problem, *j.whiten, j.singles, 4, 10, settings.threads);
@@ -412,10 +468,13 @@ Verdict diagnose(const cases::Case& given, const Settings& settings, const std::
                 std::vector<std::string> own;
                 for (const Term* t : c.h.terms) own.push_back(t->effect);
                 std::sort(own.begin(), own.end());
-                if (own == names && c.log_evidence > best) best = c.log_evidence, extended_model = &c;
+                if (own == names && c.log_evidence > best)
+                    best = c.log_evidence, extended_model = &c;
             }
         const VectorXd difference = extended_model->fit.prediction - j.base.fit.prediction;
-        const VectorXd shown = extended_model == &j.base ? VectorXd(j.problem.recorded - j.base.fit.prediction) : difference;
+        const VectorXd shown = extended_model == &j.base
+                                   ? VectorXd(j.problem.recorded - j.base.fit.prediction)
+                                   : difference;
         VectorXd clean = shown;
         for (Index k = 0; k < clean.size(); ++k)
             if (!std::isfinite(clean[k])) clean[k] = 0.0;
@@ -425,11 +484,15 @@ Verdict diagnose(const cases::Case& given, const Settings& settings, const std::
     v.fit = scores(j.problem, j.noise, j.base, *extended_model);
     v.curves = curves(j.problem, j.noise, j.base, *extended_model, false);
     for (const auto& row : j.noise)
-        for (const ChannelNoise& n : row) v.noise_correlation = std::max(v.noise_correlation, n.correlation);
+        for (const ChannelNoise& n : row)
+            v.noise_correlation = std::max(v.noise_correlation, n.correlation);
     for (Effect& e : v.effects) {
-        e.why = reasons(e.name, e.probability, j.base.fit.objective() - extended_model->fit.objective(), v.located);
+        e.why = reasons(e.name, e.probability,
+                        j.base.fit.objective() - extended_model->fit.objective(), v.located);
         for (const Gate& g : e.gates)
-            if (g.result == GateResult::untestable) v.warnings.push_back(fmt::format("{}: gate \"{}\" cannot be tested. {}", plain_name(e.name), g.name, g.why));
+            if (g.result == GateResult::untestable)
+                v.warnings.push_back(fmt::format("{}: gate \"{}\" cannot be tested. {}",
+                                                 plain_name(e.name), g.name, g.why));
     }
     j.report(0.97, "what was held out");
     cases::Case opened = given;
@@ -437,9 +500,11 @@ Verdict diagnose(const cases::Case& given, const Settings& settings, const std::
     const Problem held = problem_of(opened, true);
     if (!held.records.empty()) {
         const Noise known = noise_like(held, j.problem, j.noise);
-        const Candidate base = carried_over(held, j.base), extended_there = carried_over(held, *extended_model);
+        const Candidate base = carried_over(held, j.base),
+                        extended_there = carried_over(held, *extended_model);
         v.held_out = scores(held, known, base, extended_there);
-        for (PredictedCurve& c : curves(held, known, base, extended_there, true)) v.curves.push_back(std::move(c));
+        for (PredictedCurve& c : curves(held, known, base, extended_there, true))
+            v.curves.push_back(std::move(c));
     }
     v.summary = summary_of(v);
     v.flips = flips_of(v);

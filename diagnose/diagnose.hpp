@@ -13,7 +13,7 @@ namespace diagnose {
 
 struct Settings {
     std::uint64_t seed = 1;
-    int threads = 1;  // the answer does not depend on it
+    int threads = 1;      // the answer does not depend on it
     double alpha = 0.05;  // chance of calling a mismatch where there is none
     // Called now and then with the share done, 0 to 1, and what is done at present; returns false to stop (throws Interrupted).
     std::function<bool(double, const std::string&)> progress{};

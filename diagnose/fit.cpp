@@ -26,8 +26,12 @@ double reduced(const Unknown& x, double value) {
     if (x.prior == Prior::log_uniform) return std::log(value / x.low) / std::log(x.high / x.low);
     return (value - x.low) / (x.high - x.low);
 }
-double lowest(const Unknown& x) { return x.prior == Prior::gaussian ? (x.low - x.mean) / x.deviation : 0.0; }
-double highest(const Unknown& x) { return x.prior == Prior::gaussian ? (x.high - x.mean) / x.deviation : 1.0; }
+double lowest(const Unknown& x) {
+    return x.prior == Prior::gaussian ? (x.low - x.mean) / x.deviation : 0.0;
+}
+double highest(const Unknown& x) {
+    return x.prior == Prior::gaussian ? (x.high - x.mean) / x.deviation : 1.0;
+}
 
 VectorXd clipped(const std::vector<Unknown>& list, VectorXd u) {
     for (Index k = 0; k < u.size(); ++k) {
@@ -56,7 +60,8 @@ struct Solver {
     double penalty(const VectorXd& u) const {
         double sum = 0.0;
         for (Index k = 0; k < u.size(); ++k)
-            if (h.unknowns[static_cast<std::size_t>(k)].prior == Prior::gaussian) sum += u[k] * u[k];
+            if (h.unknowns[static_cast<std::size_t>(k)].prior == Prior::gaussian)
+                sum += u[k] * u[k];
         return sum;
     }
     double objective(const VectorXd& z, const VectorXd& u) const {
@@ -73,7 +78,8 @@ struct Solver {
         MatrixXd j(static_cast<Index>(problem.size), u.size());
         for (Index k = 0; k < u.size(); ++k) {
             const Unknown& x = h.unknowns[static_cast<std::size_t>(k)];
-            const double h_step = u[k] + difference_step > highest(x) ? -difference_step : difference_step;
+            const double h_step =
+                u[k] + difference_step > highest(x) ? -difference_step : difference_step;
             const int only = record_of(x);
             VectorXd moved = u;
             moved[k] += h_step;
@@ -86,7 +92,8 @@ struct Solver {
     VectorXd rows_of(int record, const VectorXd& v) const {
         VectorXd part = VectorXd::Zero(v.size());
         for (const Channel& c : problem.records[static_cast<std::size_t>(record)].channels) {
-            const auto first = static_cast<Index>(c.first), n = static_cast<Index>(c.recorded.size());
+            const auto first = static_cast<Index>(c.first),
+                       n = static_cast<Index>(c.recorded.size());
             part.segment(first, n) = v.segment(first, n);
         }
         return part;
@@ -120,7 +127,8 @@ struct Solver {
         for (int n = 0; n < iterations; ++n) {
             const MatrixXd j = weight.asDiagonal() * slopes(u, here);
             const MatrixXd normal = j.transpose() * j + prior_precision();
-            const VectorXd gradient = j.transpose() * z.cwiseProduct(weight) - gradient_of_penalty(u);
+            const VectorXd gradient =
+                j.transpose() * z.cwiseProduct(weight) - gradient_of_penalty(u);
             bool moved = false;
             double gained = 0.0;
             for (int tries = 0; tries < 8 && !moved; ++tries) {
@@ -129,7 +137,8 @@ struct Solver {
                 const double now = objective(z_trial, trial);
                 if (now < best) {
                     gained = best - now;
-                    u = trial, here = there, z = z_trial, best = now, damping = std::max(damping * 0.2, 1e-9), moved = true;
+                    u = trial, here = there, z = z_trial, best = now,
+                    damping = std::max(damping * 0.2, 1e-9), moved = true;
                 } else {
                     damping *= 6.0;
                 }
@@ -138,11 +147,13 @@ struct Solver {
         }
         return u;
     }
-    VectorXd step(const MatrixXd& normal, const VectorXd& gradient, const VectorXd& u, double damping) const {
+    VectorXd step(const MatrixXd& normal, const VectorXd& gradient, const VectorXd& u,
+                  double damping) const {
         std::vector<Index> open;
         for (Index k = 0; k < u.size(); ++k) {
             const Unknown& x = h.unknowns[static_cast<std::size_t>(k)];
-            const bool held = (u[k] <= lowest(x) && gradient[k] < 0.0) || (u[k] >= highest(x) && gradient[k] > 0.0);
+            const bool held = (u[k] <= lowest(x) && gradient[k] < 0.0) ||
+                              (u[k] >= highest(x) && gradient[k] > 0.0);
             if (!held) open.push_back(k);
         }
         const auto n = static_cast<Index>(open.size());
@@ -151,7 +162,8 @@ struct Solver {
         for (Index r = 0; r < n; ++r) {
             g[r] = gradient[open[static_cast<std::size_t>(r)]];
             for (Index c = 0; c < n; ++c)
-                a(r, c) = normal(open[static_cast<std::size_t>(r)], open[static_cast<std::size_t>(c)]);
+                a(r, c) =
+                    normal(open[static_cast<std::size_t>(r)], open[static_cast<std::size_t>(c)]);
         }
         const double floor = 1e-12 * std::max(1.0, n > 0 ? a.diagonal().maxCoeff() : 1.0);
         for (Index r = 0; r < n; ++r) a(r, r) += damping * a(r, r) + floor + damping;
@@ -167,7 +179,8 @@ VectorXd early_rows(const Problem& p, double share) {
     for (const Record& r : p.records) {
         if (r.ordinate != "t" || share >= 1.0) continue;
         for (const Channel& c : r.channels)
-            for (std::size_t k = static_cast<std::size_t>(share * static_cast<double>(c.recorded.size()));
+            for (std::size_t k =
+                     static_cast<std::size_t>(share * static_cast<double>(c.recorded.size()));
                  k < c.recorded.size(); ++k)
                 weight[static_cast<Index>(c.first + k)] = 0.0;
     }
@@ -175,7 +188,8 @@ VectorXd early_rows(const Problem& p, double share) {
 }
 
 bool over_time(const Problem& p) {
-    return std::any_of(p.records.begin(), p.records.end(), [](const Record& r) { return r.ordinate == "t"; });
+    return std::any_of(p.records.begin(), p.records.end(),
+                       [](const Record& r) { return r.ordinate == "t"; });
 }
 
 Fit finished(const Solver& s, const VectorXd& u) {
@@ -191,7 +205,9 @@ Fit finished(const Solver& s, const VectorXd& u) {
     const auto n = u.size();
     MatrixXd precision = f.jacobian.transpose() * f.jacobian;
     for (Index k = 0; k < n; ++k)
-        precision(k, k) += s.h.unknowns[static_cast<std::size_t>(k)].prior == Prior::gaussian ? 1.0 : 2.0 * std::numbers::pi;
+        precision(k, k) += s.h.unknowns[static_cast<std::size_t>(k)].prior == Prior::gaussian
+                               ? 1.0
+                               : 2.0 * std::numbers::pi;
     const Eigen::LLT<MatrixXd> llt(precision);
     f.covariance = llt.solve(MatrixXd::Identity(n, n));
     double log_det = 0.0;
@@ -207,13 +223,15 @@ Fit finished(const Solver& s, const VectorXd& u) {
 
 VectorXd to_theta(const std::vector<Unknown>& list, const VectorXd& u) {
     VectorXd theta(u.size());
-    for (Index k = 0; k < u.size(); ++k) theta[k] = value_at(list[static_cast<std::size_t>(k)], u[k]);
+    for (Index k = 0; k < u.size(); ++k)
+        theta[k] = value_at(list[static_cast<std::size_t>(k)], u[k]);
     return theta;
 }
 
 VectorXd to_u(const std::vector<Unknown>& list, const VectorXd& theta) {
     VectorXd u(theta.size());
-    for (Index k = 0; k < theta.size(); ++k) u[k] = reduced(list[static_cast<std::size_t>(k)], theta[k]);
+    for (Index k = 0; k < theta.size(); ++k)
+        u[k] = reduced(list[static_cast<std::size_t>(k)], theta[k]);
     return clipped(list, u);
 }
 
@@ -234,8 +252,8 @@ Fit fit_to(const Problem& p, const Whitener& w, const Hypothesised& h, const Vec
     return finished(all, all.solve(u, iterations));
 }
 
-Fit fit(const Problem& p, const Whitener& w, const Hypothesised& h, const VectorXd& start, bool staged,
-        int iterations) {
+Fit fit(const Problem& p, const Whitener& w, const Hypothesised& h, const VectorXd& start,
+        bool staged, int iterations) {
     return fit_to(p, w, h, p.recorded, start, staged, iterations);
 }
 

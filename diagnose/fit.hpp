@@ -13,20 +13,21 @@
 namespace diagnose {
 
 struct Fit {
-    Eigen::VectorXd theta;        // [unknowns], SI
-    Eigen::VectorXd prediction;   // [size]
-    Eigen::VectorXd white;        // [size], whitened recorded - predicted
-    Eigen::MatrixXd jacobian;     // [size][unknowns], whitened, d prediction / d u
-    Eigen::MatrixXd covariance;   // [unknowns][unknowns], of u
-    double chi_squared = 0.0;     // of white
-    double penalty = 0.0;         // sum of u^2 over Gaussian priors
-    double log_evidence = 0.0;    // Laplace: log of the integral of likelihood times prior
+    Eigen::VectorXd theta;       // [unknowns], SI
+    Eigen::VectorXd prediction;  // [size]
+    Eigen::VectorXd white;       // [size], whitened recorded - predicted
+    Eigen::MatrixXd jacobian;    // [size][unknowns], whitened, d prediction / d u
+    Eigen::MatrixXd covariance;  // [unknowns][unknowns], of u
+    double chi_squared = 0.0;    // of white
+    double penalty = 0.0;        // sum of u^2 over Gaussian priors
+    double log_evidence = 0.0;   // Laplace: log of the integral of likelihood times prior
     double objective() const { return chi_squared + penalty; }
 };
 
 Eigen::VectorXd to_theta(const std::vector<Unknown>&, const Eigen::VectorXd& u);
-Eigen::VectorXd to_u(const std::vector<Unknown>&, const Eigen::VectorXd& theta);  // clipped to the hard ends
-Eigen::VectorXd start_of(const std::vector<Unknown>&);                            // theta
+Eigen::VectorXd to_u(const std::vector<Unknown>&,
+                     const Eigen::VectorXd& theta);     // clipped to the hard ends
+Eigen::VectorXd start_of(const std::vector<Unknown>&);  // theta
 
 // From `start` (theta). Where `staged`, first the early rows of each recording over time alone, then more: bounces that are
 // out of step would otherwise hold the fit in a local minimum. `iterations` of the last stage at most.
@@ -34,8 +35,8 @@ Fit fit(const Problem&, const Whitener&, const Hypothesised&, const Eigen::Vecto
         bool staged = true, int iterations = 25);
 
 // The same against another long vector in place of what was recorded.
-Fit fit_to(const Problem&, const Whitener&, const Hypothesised&, const Eigen::VectorXd& recorded, const Eigen::VectorXd& start,
-           bool staged = true, int iterations = 25);
+Fit fit_to(const Problem&, const Whitener&, const Hypothesised&, const Eigen::VectorXd& recorded,
+           const Eigen::VectorXd& start, bool staged = true, int iterations = 25);
 
 // The user's model from its stated values and from a grid over the range of each free parameter; the best.
 Fit fit_base(const Problem&, const Whitener&, const Hypothesised&);

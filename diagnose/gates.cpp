@@ -23,21 +23,26 @@ constexpr double deviations = 3.3;  // two-sided 1 in 1000
 // Place of the term's first unknown in the winner's list; -1 where it has none.
 Index place_of(const Candidate& c, std::size_t which) {
     Index at = static_cast<Index>(c.h.unknowns.size());
-    for (std::size_t k = c.h.terms.size(); k-- > which;) at -= static_cast<Index>(c.h.terms[k]->unknowns.size());
+    for (std::size_t k = c.h.terms.size(); k-- > which;)
+        at -= static_cast<Index>(c.h.terms[k]->unknowns.size());
     return c.h.terms[which]->unknowns.empty() ? -1 : at;
 }
 
 Gate range_gate(const GateInput& in, std::size_t which) {
     const Term& term = *in.winner.h.terms[which];
     const Index at = place_of(in.winner, which);
-    if (at < 0) return {"range", GateResult::passed, "It has no parameter of its own: its strength follows from the case."};
+    if (at < 0)
+        return {"range", GateResult::passed,
+                "It has no parameter of its own: its strength follows from the case."};
     const Unknown& x = in.winner.h.unknowns[static_cast<std::size_t>(at)];
     const double u = to_u(in.winner.h.unknowns, in.winner.fit.theta)[at];
     const bool inside = x.prior == Prior::gaussian || (u > 0.01 && u < 0.99);
     return {"range", inside ? GateResult::passed : GateResult::failed,
-            fmt::format("{} = {} {}, {} the physical range {} to {}.", x.name, cases::format_si(in.winner.fit.theta[at], x.unit),
+            fmt::format("{} = {} {}, {} the physical range {} to {}.", x.name,
+                        cases::format_si(in.winner.fit.theta[at], x.unit),
                         term.effect == "air_drag" ? "(factor on the drag curve of a sphere)" : "",
-                        inside ? "inside" : "at the end of", cases::format_si(x.low, x.unit), cases::format_si(x.high, x.unit))};
+                        inside ? "inside" : "at the end of", cases::format_si(x.low, x.unit),
+                        cases::format_si(x.high, x.unit))};
 }
 
 // Drop in chi squared when `columns` (whitened) may move, too, at first order.
@@ -50,7 +55,8 @@ double gain_of(const Fit& f, const MatrixXd& columns) {
     MatrixXd few = f.jacobian.transpose() * f.jacobian;
     few.diagonal().array() += 1e-9 * (1.0 + few.diagonal().array());
     const VectorXd g_few = f.jacobian.transpose() * f.white;
-    return g.dot(normal.ldlt().solve(g)) - (few.rows() > 0 ? g_few.dot(few.ldlt().solve(g_few)) : 0.0);
+    return g.dot(normal.ldlt().solve(g)) -
+           (few.rows() > 0 ? g_few.dot(few.ldlt().solve(g_few)) : 0.0);
 }
 
 VectorXd rows_of(const Problem& p, std::size_t record, const VectorXd& v) {
@@ -74,9 +80,12 @@ std::vector<VectorXd> sensitive(const GateInput& in, Index at) {
 
 Gate regimes_gate(const GateInput& in, std::size_t which) {
     const Index at = place_of(in.winner, which);
-    if (at < 0) return {"regimes", GateResult::untestable, "Nothing to compare: it has no parameter."};
+    if (at < 0)
+        return {"regimes", GateResult::untestable, "Nothing to compare: it has no parameter."};
     const std::vector<VectorXd> columns = sensitive(in, at);
-    if (columns.size() < 2) return {"regimes", GateResult::untestable, "Fewer than two recordings show this effect: its parameter cannot be found twice."};
+    if (columns.size() < 2)
+        return {"regimes", GateResult::untestable,
+                "Fewer than two recordings show this effect: its parameter cannot be found twice."};
     const auto free = static_cast<Index>(columns.size()) - 1;
     MatrixXd m(columns.front().size(), free);
     for (Index k = 0; k < free; ++k) m.col(k) = columns[static_cast<std::size_t>(k)];
@@ -85,17 +94,20 @@ Gate regimes_gate(const GateInput& in, std::size_t which) {
     const double z = (std::cbrt(gain / n) - (1.0 - 2.0 / (9.0 * n))) / std::sqrt(2.0 / (9.0 * n));
     const bool same = z < deviations;
     return {"regimes", same ? GateResult::passed : GateResult::failed,
-            fmt::format("One value {} {} recordings (chi squared {:.1f} for {} differences).", same ? "serves all" : "does not serve all",
-                        columns.size(), gain, free)};
+            fmt::format("One value {} {} recordings (chi squared {:.1f} for {} differences).",
+                        same ? "serves all" : "does not serve all", columns.size(), gain, free)};
 }
 
 // Conditions and grain of an experiment as numbers.
 std::map<std::string, double> described(const cases::Experiment& e) {
-    std::map<std::string, double> d{{"grain.diameter", e.grain.diameter.value.value()}, {"grain.density", e.grain.density.value.value()}};
+    std::map<std::string, double> d{{"grain.diameter", e.grain.diameter.value.value()},
+                                    {"grain.density", e.grain.density.value.value()}};
     for (const cases::Condition& rule : cases::rig_rule(e.rig).conditions)
-        if (!rule.unit.empty() && e.conditions.has(rule.name) && e.conditions.at(rule.name).kind != cases::Value::Kind::list)
+        if (!rule.unit.empty() && e.conditions.has(rule.name) &&
+            e.conditions.at(rule.name).kind != cases::Value::Kind::list)
             try {
-                d[rule.name] = e.conditions.at(rule.name).si(cases::parse_unit(rule.unit, rule.name));
+                d[rule.name] =
+                    e.conditions.at(rule.name).si(cases::parse_unit(rule.unit, rule.name));
             } catch (const std::exception&) {
                 // a word such as "instant"
             }
@@ -127,11 +139,27 @@ Gate scaling_gate(const GateInput& in, std::size_t which) {
         const double z = std::sqrt(std::max(0.0, gain_of(in.winner.fit, m)));
         if (z > largest) largest = z, worst = key;
     }
-    if (seen.empty()) return {"scaling", GateResult::untestable, "No condition varies among the recordings that show this effect."};
+    if (seen.empty())
+        return {"scaling", GateResult::untestable,
+                "No condition varies among the recordings that show this effect."};
     const bool same = largest < deviations;
     return {"scaling", same ? GateResult::passed : GateResult::failed,
             same ? fmt::format("Its parameter stays the same where {} changes.", seen)
-                 : fmt::format("Its parameter would have to drift with {} ({:.1f} sigma).", worst, largest)};
+                 : fmt::format("Its parameter would have to drift with {} ({:.1f} sigma).", worst,
+                               largest)};
+}
+
+// Rows of one branch of a force curve, first and number; else all: a curve run backwards as a whole would be itself.
+std::vector<std::pair<Index, Index>> branches(const Record& r, const Channel& c) {
+    std::vector<std::pair<Index, Index>> list;
+    const auto all = static_cast<Index>(c.recorded.size());
+    for (Index k = 0, from = 0; k < all; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        const bool ends = k + 1 == all || (!r.ordinates.retract.empty() &&
+                                           r.ordinates.retract[at] != r.ordinates.retract[at + 1]);
+        if (ends) list.push_back({from, k + 1 - from}), from = k + 1;
+    }
+    return list;
 }
 
 // The effect's own signature turned around in time or space, recording by recording: the same freedom, the wrong physics.
@@ -144,11 +172,15 @@ Gate placebo_gate(const GateInput& in, std::size_t which) {
         VectorXd placebo = VectorXd::Zero(d.size());
         std::size_t sign = 0;
         for (const Record& r : in.problem.records)
-            for (const Channel& c : r.channels) {
-                const auto n = static_cast<Index>(c.recorded.size()), first = static_cast<Index>(c.first);
-                for (Index k = 0; k < n; ++k) placebo[first + k] = swapped ? d[first + (k + n / 2) % n] * (sign % 2 ? -1.0 : 1.0) : d[first + n - 1 - k];
-                ++sign;
-            }
+            for (const Channel& c : r.channels)
+                for (const auto& [from, n] : branches(r, c)) {
+                    const Index first = static_cast<Index>(c.first) + from;
+                    for (Index k = 0; k < n; ++k)
+                        placebo[first + k] =
+                            swapped ? d[first + (k + n / 2) % n] * (sign % 2 ? -1.0 : 1.0)
+                                    : d[first + n - 1 - k];
+                    ++sign;
+                }
         for (std::size_t k = 0; k < in.whiten.measured().size(); ++k)
             if (!in.whiten.measured()[k]) placebo[static_cast<Index>(k)] = 0.0;
         placebo = project(placebo);
@@ -158,15 +190,18 @@ Gate placebo_gate(const GateInput& in, std::size_t which) {
     const double gain = in.base.fit.objective() - in.winner.fit.objective();
     const bool better = gain > best + 4.0;
     return {"placebo", better ? GateResult::passed : GateResult::failed,
-            fmt::format("{} lowers chi squared by {:.0f}; the same signature run backwards or shifted by {:.0f}.",
+            fmt::format("{} lowers chi squared by {:.0f}; the same signature run backwards or "
+                        "shifted by {:.0f}.",
                         in.winner.h.terms[which]->effect, gain, best)};
 }
 
 Gate refinement_gate(const GateInput& in, std::size_t which) {
     if (in.winner.h.terms[which]->effect == "numerical_artefact")
-        return {"refinement", GateResult::passed, "A finer time step removes the mismatch: that is what it is."};
+        return {"refinement", GateResult::passed,
+                "A finer time step removes the mismatch: that is what it is."};
     if (!std::isfinite(in.refined_base_p_value))
-        return {"refinement", GateResult::passed, "The forward models are resolved; the case states no numerics of its own."};
+        return {"refinement", GateResult::passed,
+                "The forward models are resolved; the case states no numerics of its own."};
     const bool stays = in.refined_base_p_value < own_level;
     return {"refinement", stays ? GateResult::passed : GateResult::failed,
             stays ? "The mismatch stays when the user's model is run with a fine time step."
@@ -177,10 +212,14 @@ Gate refinement_gate(const GateInput& in, std::size_t which) {
 
 std::vector<Gate> gates(const GateInput& in, std::size_t which) {
     const bool clean = in.own_p_value >= own_level;
-    return {range_gate(in, which), regimes_gate(in, which), scaling_gate(in, which), placebo_gate(in, which),
+    return {range_gate(in, which),
+            regimes_gate(in, which),
+            scaling_gate(in, which),
+            placebo_gate(in, which),
             refinement_gate(in, which),
             {"own_mismatch", clean ? GateResult::passed : GateResult::failed,
-             fmt::format("The extended model {} its own test of mismatch (p = {:.3g}).", clean ? "passes" : "fails", in.own_p_value)}};
+             fmt::format("The extended model {} its own test of mismatch (p = {:.3g}).",
+                         clean ? "passes" : "fails", in.own_p_value)}};
 }
 
 bool passes(const std::vector<Gate>& list) {

@@ -15,8 +15,9 @@ struct GateInput {
     const Whitener& whiten;
     const Candidate& base;
     const Candidate& winner;
-    double own_p_value;           // of the winner's own test of mismatch
-    double refined_base_p_value;  // of the user's model run without its numerics; NaN where it has none
+    double own_p_value;  // of the winner's own test of mismatch
+    double
+        refined_base_p_value;  // of the user's model run without its numerics; NaN where it has none
 };
 
 // Of the `which`-th term of the winner.

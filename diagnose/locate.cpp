@@ -59,7 +59,8 @@ std::vector<Series> by_recording(const Problem& p, const Whitener& w) {
 }
 
 // Rows of one channel, all recordings together, sorted by one variable of the state.
-std::vector<Series> by_regime(const Problem& p, const Whitener& w, const Hypothesised& h, const Fit& f) {
+std::vector<Series> by_regime(const Problem& p, const Whitener& w, const Hypothesised& h,
+                              const Fit& f) {
     std::map<std::string, std::vector<std::pair<double, Index>>> sorted;
     for (const Record& r : p.records) {
         const rigs::Curves state = r.model->variables(world_at(p, h, f.theta, r), r.ordinates);
@@ -67,11 +68,13 @@ std::vector<Series> by_regime(const Problem& p, const Whitener& w, const Hypothe
             for (const Channel& c : r.channels)
                 for (std::size_t k = 0; k < c.recorded.size() && k < values.size(); ++k)
                     if (w.measured()[c.first + k] && std::isfinite(values[k]))
-                        sorted[r.experiment->rig + "." + c.name + "." + variable].push_back({values[k], static_cast<Index>(c.first + k)});
+                        sorted[r.experiment->rig + "." + c.name + "." + variable].push_back(
+                            {values[k], static_cast<Index>(c.first + k)});
     }
     std::vector<Series> all;
     for (auto& [name, rows] : sorted) {
-        std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        std::stable_sort(rows.begin(), rows.end(),
+                         [](const auto& a, const auto& b) { return a.first < b.first; });
         Series s;
         for (const auto& row : rows) s.push_back(row.second);
         all.push_back(std::move(s));
@@ -81,8 +84,9 @@ std::vector<Series> by_regime(const Problem& p, const Whitener& w, const Hypothe
 
 using Families = std::array<double, 3>;
 
-Families statistics_of(const VectorXd& r, const std::vector<Shape>& shapes, const MatrixXd& directions,
-                       const std::vector<Series>& windows, const std::vector<Series>& regimes) {
+Families statistics_of(const VectorXd& r, const std::vector<Shape>& shapes,
+                       const MatrixXd& directions, const std::vector<Series>& windows,
+                       const std::vector<Series>& regimes) {
     Families t{0.0, 0.0, 0.0};
     const VectorXd along = directions.transpose() * r;
     for (std::size_t k = 0; k < shapes.size(); ++k) {
@@ -96,7 +100,8 @@ Families statistics_of(const VectorXd& r, const std::vector<Shape>& shapes, cons
 
 double share_at_least(const std::vector<double>& sorted, double value) {
     const auto at = std::lower_bound(sorted.begin(), sorted.end(), value);
-    return (1.0 + static_cast<double>(sorted.end() - at)) / (1.0 + static_cast<double>(sorted.size()));
+    return (1.0 + static_cast<double>(sorted.end() - at)) /
+           (1.0 + static_cast<double>(sorted.size()));
 }
 
 // Where the first unknown of a term is such that it does nothing; NaN where that is the low end.
@@ -120,7 +125,8 @@ struct ShapeMaker {
         VectorXd theta(static_cast<Index>(with.unknowns.size()));
         for (Index k = 0; k < theta.size() - own.size(); ++k)
             for (std::size_t n = 0; n < h.unknowns.size(); ++n)
-                if (h.unknowns[n].name == with.unknowns[static_cast<std::size_t>(k)].name) theta[k] = fit.theta[static_cast<Index>(n)];
+                if (h.unknowns[n].name == with.unknowns[static_cast<std::size_t>(k)].name)
+                    theta[k] = fit.theta[static_cast<Index>(n)];
         theta.tail(own.size()) = own;
         VectorXd d = predicted(problem, with, theta) - fit.prediction;
         return project(whiten(d));
@@ -132,7 +138,9 @@ struct ShapeMaker {
 Projection::Projection(const std::vector<Unknown>& unknowns, const Fit& f) : jacobian_(f.jacobian) {
     MatrixXd normal = jacobian_.transpose() * jacobian_;
     for (Index k = 0; k < normal.rows(); ++k)
-        normal(k, k) += unknowns[static_cast<std::size_t>(k)].prior == Prior::gaussian ? 1.0 : 1e-9 * (1.0 + normal(k, k));
+        normal(k, k) += unknowns[static_cast<std::size_t>(k)].prior == Prior::gaussian
+                            ? 1.0
+                            : 1e-9 * (1.0 + normal(k, k));
     gain_ = normal.ldlt().solve(jacobian_.transpose());
 }
 
@@ -169,14 +177,16 @@ std::vector<Shape> shapes(const Problem& p, const Whitener& w, const Hypothesise
             const int count = x.key == "frequency" ? 24 : x.key == "phase" ? 4 : 3;
             std::vector<VectorXd> finer;
             for (const VectorXd& g : grid)
-                for (int c = 0; c < count; ++c) finer.push_back(g), finer.back()[k] = (c + 0.5) / count;
+                for (int c = 0; c < count; ++c)
+                    finer.push_back(g), finer.back()[k] = (c + 0.5) / count;
             grid = std::move(finer);
         }
         const double nothing = null_value(term, h, f);
         for (VectorXd u : grid) {
             if (std::isfinite(nothing)) {
                 VectorXd own = to_theta(term.unknowns, u);
-                own[0] = std::min(nothing + 0.004 * (term.unknowns[0].high - term.unknowns[0].low), term.unknowns[0].high);
+                own[0] = std::min(nothing + 0.004 * (term.unknowns[0].high - term.unknowns[0].low),
+                                  term.unknowns[0].high);
                 add(t, true, maker.shape(extended, own));
                 continue;
             }
@@ -202,8 +212,10 @@ std::vector<Shape> shapes(const Problem& p, const Whitener& w, const Hypothesise
                 for (int k = 0; k < 4; ++k) {
                     const double middle = 0.5 * (a + b);
                     const VectorXd e = size_at(middle);
-                    if (e.norm() < visible) a = middle;
-                    else b = middle, weakest = e;
+                    if (e.norm() < visible)
+                        a = middle;
+                    else
+                        b = middle, weakest = e;
                 }
                 add(t, false, weakest);
                 add(t, false, size_at(std::min(1.0, b + 0.12)));
@@ -215,12 +227,13 @@ std::vector<Shape> shapes(const Problem& p, const Whitener& w, const Hypothesise
 }
 
 Mismatch test_of_mismatch(const Problem& p, const Whitener& w, const Hypothesised& h, const Fit& f,
-                          const std::vector<Shape>& list, const std::vector<double>& innovations, std::uint64_t seed,
-                          int draws) {
+                          const std::vector<Shape>& list, const std::vector<double>& innovations,
+                          std::uint64_t seed, int draws) {
     const Projection project(h.unknowns, f);
     const std::vector<Series> windows = by_recording(p, w), regimes = by_regime(p, w, h, f);
     MatrixXd directions(static_cast<Index>(p.size), static_cast<Index>(list.size()));
-    for (std::size_t k = 0; k < list.size(); ++k) directions.col(static_cast<Index>(k)) = list[k].direction;
+    for (std::size_t k = 0; k < list.size(); ++k)
+        directions.col(static_cast<Index>(k)) = list[k].direction;
 
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
@@ -229,7 +242,8 @@ Mismatch test_of_mismatch(const Problem& p, const Whitener& w, const Hypothesise
     for (int n = 0; n < draws; ++n) {
         for (Index k = 0; k < z.size(); ++k) {
             if (!w.measured()[static_cast<std::size_t>(k)]) continue;
-            z[k] = innovations.empty() ? normal(random) : innovations[random() % innovations.size()];
+            z[k] =
+                innovations.empty() ? normal(random) : innovations[random() % innovations.size()];
         }
         const Families t = statistics_of(project(z), list, directions, windows, regimes);
         for (std::size_t k = 0; k < 3; ++k) null[k].push_back(t[k]);
@@ -241,22 +255,26 @@ Mismatch test_of_mismatch(const Problem& p, const Whitener& w, const Hypothesise
     const auto least = [&](const Families& t) {
         double p_least = 1.0;
         for (std::size_t k = 0; k < 3; ++k)
-            if (sorted[k].back() > 0.0) p_least = std::min(p_least, share_at_least(sorted[k], t[k]));
+            if (sorted[k].back() > 0.0)
+                p_least = std::min(p_least, share_at_least(sorted[k], t[k]));
         return p_least;
     };
     const double observed = least(seen);
     int as_small = 0;
-    for (std::size_t n = 0; n < null[0].size(); ++n) as_small += least({null[0][n], null[1][n], null[2][n]}) <= observed ? 1 : 0;
+    for (std::size_t n = 0; n < null[0].size(); ++n)
+        as_small += least({null[0][n], null[1][n], null[2][n]}) <= observed ? 1 : 0;
     // Beyond all draws of a family the three trials cost a factor of three at most.
     const double floor = 1.0 / (1.0 + draws);
-    const double global = observed <= 1.5 * floor ? std::min(1.0, 3.0 * floor) : (1.0 + as_small) / (1.0 + draws);
+    const double global =
+        observed <= 1.5 * floor ? std::min(1.0, 3.0 * floor) : (1.0 + as_small) / (1.0 + draws);
     return {.p_value = global,
             .p_shapes = share_at_least(sorted[0], seen[0]),
             .p_windows = share_at_least(sorted[1], seen[1]),
             .p_regimes = share_at_least(sorted[2], seen[2])};
 }
 
-std::vector<Located> located(const Problem& p, const VectorXd& white, const VectorXd& difference, double p_value) {
+std::vector<Located> located(const Problem& p, const VectorXd& white, const VectorXd& difference,
+                             double p_value) {
     const double all = white.squaredNorm();
     std::vector<std::pair<double, Located>> list;
     for (const Record& r : p.records) {
@@ -270,16 +288,19 @@ std::vector<Located> located(const Problem& p, const VectorXd& white, const Vect
                 total += white[at] * white[at];
             }
             if (rows.size() < 2 || total < 0.02 * all || total <= 0.0) continue;
-            std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+            std::stable_sort(rows.begin(), rows.end(),
+                             [](const auto& a, const auto& b) { return a.first < b.first; });
             std::size_t best_from = 0, best_to = rows.size() - 1, from = 0;
             double inside = 0.0;
             for (std::size_t to = 0; to < rows.size(); ++to) {
                 inside += white[rows[to].second] * white[rows[to].second];
-                while (from < to && inside - white[rows[from].second] * white[rows[from].second] >= 0.8 * total) {
+                while (from < to && inside - white[rows[from].second] * white[rows[from].second] >=
+                                        0.8 * total) {
                     inside -= white[rows[from].second] * white[rows[from].second];
                     ++from;
                 }
-                if (inside >= 0.8 * total && rows[to].first - rows[from].first < rows[best_to].first - rows[best_from].first)
+                if (inside >= 0.8 * total &&
+                    rows[to].first - rows[from].first < rows[best_to].first - rows[best_from].first)
                     best_from = from, best_to = to;
             }
             double signed_sum = 0.0, squares = 0.0;
@@ -288,20 +309,28 @@ std::vector<Located> located(const Problem& p, const VectorXd& white, const Vect
                 signed_sum += d * std::abs(d), squares += d * d;
             }
             const bool length = c.name == "z" || c.name == "x" || c.name == "s";
-            list.push_back({total,
-                            {.experiment = r.experiment->id,
-                             .channel = c.name,
-                             .variable = r.ordinate,
-                             .unit = r.ordinate == "t" ? "s" : r.ordinate == "angle" ? "rad" : "m",
-                             .from = rows[best_from].first,
-                             .to = rows[best_to].first,
-                             .sign = signed_sum >= 0.0 ? 1 : -1,
-                             .size = std::sqrt(squares / static_cast<double>(best_to - best_from + 1)),
-                             .size_unit = length ? "m" : c.name == "force" ? "N" : c.name == "rebound_angle" ? "rad" : c.name.ends_with("spin") ? "rad/s" : "1",
-                             .p_value = p_value}});
+            list.push_back(
+                {total,
+                 {.experiment = r.experiment->id,
+                  .channel = c.name,
+                  .variable = r.ordinate,
+                  .unit = r.ordinate == "t"       ? "s"
+                          : r.ordinate == "angle" ? "rad"
+                                                  : "m",
+                  .from = rows[best_from].first,
+                  .to = rows[best_to].first,
+                  .sign = signed_sum >= 0.0 ? 1 : -1,
+                  .size = std::sqrt(squares / static_cast<double>(best_to - best_from + 1)),
+                  .size_unit = length                      ? "m"
+                               : c.name == "force"         ? "N"
+                               : c.name == "rebound_angle" ? "rad"
+                               : c.name.ends_with("spin")  ? "rad/s"
+                                                           : "1",
+                  .p_value = p_value}});
         }
     }
-    std::stable_sort(list.begin(), list.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::stable_sort(list.begin(), list.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
     std::vector<Located> result;
     for (auto& entry : list) result.push_back(std::move(entry.second));
     return result;

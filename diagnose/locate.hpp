@@ -37,7 +37,8 @@ class Projection {
 };
 
 // Shapes of `terms` about a fit of `h`, at strengths that the recordings can just show and at larger ones.
-std::vector<Shape> shapes(const Problem&, const Whitener&, const Hypothesised& h, const Fit&, const std::vector<Term>& terms);
+std::vector<Shape> shapes(const Problem&, const Whitener&, const Hypothesised& h, const Fit&,
+                          const std::vector<Term>& terms);
 
 struct Mismatch {
     double p_value;
@@ -45,11 +46,13 @@ struct Mismatch {
 };
 
 // `innovations`: standardised residuals to draw from; empty: normal ones.
-Mismatch test_of_mismatch(const Problem&, const Whitener&, const Hypothesised& h, const Fit&, const std::vector<Shape>&,
-                          const std::vector<double>& innovations, std::uint64_t seed, int draws);
+Mismatch test_of_mismatch(const Problem&, const Whitener&, const Hypothesised& h, const Fit&,
+                          const std::vector<Shape>&, const std::vector<double>& innovations,
+                          std::uint64_t seed, int draws);
 
 // The shortest interval of each channel's ordinate that holds 80 % of the squares of `white` (whitened mismatch), those with
 // the largest share of all squares first; channels with less than 2 % are left out. `difference`: the mismatch itself, SI.
-std::vector<Located> located(const Problem&, const Eigen::VectorXd& white, const Eigen::VectorXd& difference, double p_value);
+std::vector<Located> located(const Problem&, const Eigen::VectorXd& white,
+                             const Eigen::VectorXd& difference, double p_value);
 
 }  // namespace diagnose

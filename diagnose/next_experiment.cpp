@@ -29,7 +29,8 @@ cases::Value text_value(const std::string& where, const std::string& text) {
 
 cases::Value conditions_of(const Design& d) {
     cases::Value v{.where = "next_experiment.conditions"};
-    for (const auto& [key, text] : d.conditions) v.members.push_back({key, text_value(v.where + "." + key, text)});
+    for (const auto& [key, text] : d.conditions)
+        v.members.push_back({key, text_value(v.where + "." + key, text)});
     return v;
 }
 
@@ -47,7 +48,10 @@ std::string ordinate_of(const std::string& rig) {
 cases::Recording blank_recording(const Design& d) {
     const std::string ordinate = ordinate_of(d.rig);
     cases::Recording r;
-    cases::Column at{.name = ordinate, .unit = ordinate == "t" ? "s" : ordinate == "angle" ? "rad" : "m"};
+    cases::Column at{.name = ordinate,
+                     .unit = ordinate == "t"       ? "s"
+                             : ordinate == "angle" ? "rad"
+                                                   : "m"};
     cases::Column branch{.name = "branch", .unit = ""};
     const int passes = d.rig == "pull_off" ? 2 : 1;
     for (int pass = 0; pass < passes; ++pass)
@@ -59,7 +63,8 @@ cases::Recording blank_recording(const Design& d) {
     r.columns.push_back(at);
     if (passes == 2) r.columns.push_back(branch);
     for (const std::string& c : d.channels)
-        r.columns.push_back({.name = c, .unit = unit_of(c), .values = std::vector<double>(at.values.size(), 0.0)});
+        r.columns.push_back(
+            {.name = c, .unit = unit_of(c), .values = std::vector<double>(at.values.size(), 0.0)});
     return r;
 }
 
@@ -71,29 +76,50 @@ std::vector<Design> designs(const Problem& p) {
     const double d = e.grain.diameter.value.value(), rho = e.grain.density.value.value();
     const double g = e.surroundings.gravity.value() > 0.0 ? e.surroundings.gravity.value() : 9.81;
     const double weight = rho * 0.5236 * d * d * d * g;
-    const bool gravity = p.world.physics.contains("gravity") && e.surroundings.gravity.value() > 0.0;
+    const bool gravity =
+        p.world.physics.contains("gravity") && e.surroundings.gravity.value() > 0.0;
     std::vector<Design> list;
     const auto fall = [&](double h) { return std::sqrt(2.0 * h / g); };
     if (gravity) {
         for (const double h : {0.02, 0.1, 0.3, 1.0, 3.0})
             for (const double across : {0.0, 1.0}) {
                 Design x{"drop", {{"height", si(h, "m")}}, {}, {"z"}, 0.0, 5.0 * fall(h), 300};
-                if (across > 0.0) x.conditions["horizontal_speed"] = si(across, "m/s"), x.channels.push_back("x");
+                if (across > 0.0)
+                    x.conditions["horizontal_speed"] = si(across, "m/s"), x.channels.push_back("x");
                 list.push_back(x);
             }
         for (const double degrees : {3.0, 10.0, 25.0})
             for (const double speed : {0.0, 0.5, -0.5})
-                list.push_back({"incline", {{"angle", si(degrees, "deg")}, {"speed", si(speed, "m/s")}}, {}, {"s", "spin"}, 0.0, 0.5, 150});
+                list.push_back({"incline",
+                                {{"angle", si(degrees, "deg")}, {"speed", si(speed, "m/s")}},
+                                {},
+                                {"s", "spin"},
+                                0.0,
+                                0.5,
+                                150});
     }
     for (const double speed : {0.3, 1.0, 4.0})
-        list.push_back({"impact", {{"speed", si(speed, "m/s")}}, {}, {"rebound_angle", "normal_restitution", "rebound_spin"}, 0.05, 1.3, 26});
+        list.push_back({"impact",
+                        {{"speed", si(speed, "m/s")}},
+                        {},
+                        {"rebound_angle", "normal_restitution", "rebound_spin"},
+                        0.05,
+                        1.3,
+                        26});
     if (d < 3e-3)
         for (const double load : {1.0, 30.0, 1000.0}) {
             const double newtons = std::max(load * weight, 1e-9);
             // Pressed to where a Hertz contact carries the load, apart to a tenth of the radius.
             const double e_star = 0.55 * e.grain.youngs_modulus.value.value();
-            const double depth = std::pow(0.75 * newtons / (e_star * std::sqrt(0.5 * d)), 2.0 / 3.0);
-            list.push_back({"pull_off", {{"counterpart", "plate"}, {"preload", si(newtons, "N")}}, {}, {"force"}, std::max(0.02 * d, 3.0 * depth), -depth, 240});
+            const double depth =
+                std::pow(0.75 * newtons / (e_star * std::sqrt(0.5 * d)), 2.0 / 3.0);
+            list.push_back({"pull_off",
+                            {{"counterpart", "plate"}, {"preload", si(newtons, "N")}},
+                            {},
+                            {"force"},
+                            std::max(0.02 * d, 3.0 * depth),
+                            -depth,
+                            240});
         }
     return list;
 }
@@ -113,7 +139,8 @@ struct Tried {
     std::map<std::string, double> noise;
 };
 
-Tried tried(const Problem& p, const Noise& noise, const Candidate& a, const Candidate& b, const Design& d) {
+Tried tried(const Problem& p, const Noise& noise, const Candidate& a, const Candidate& b,
+            const Design& d) {
     cases::Case with = *p.given;
     std::erase_if(with.experiments, [](const cases::Experiment& e) { return e.held_out; });
     cases::Experiment e = *p.records.front().experiment;
@@ -121,7 +148,9 @@ Tried tried(const Problem& p, const Noise& noise, const Candidate& a, const Cand
     e.recording = blank_recording(d), e.simulated.reset(), e.noise.clear();
     for (const Record& r : p.records)
         for (std::size_t c = 0; c < r.channels.size(); ++c)
-            if (r.experiment->rig == d.rig) e.noise[r.channels[c].name] = noise[static_cast<std::size_t>(&r - p.records.data())][c].deviation;
+            if (r.experiment->rig == d.rig)
+                e.noise[r.channels[c].name] =
+                    noise[static_cast<std::size_t>(&r - p.records.data())][c].deviation;
     with.experiments.push_back(std::move(e));
     Tried result;
     {
@@ -131,7 +160,9 @@ Tried tried(const Problem& p, const Noise& noise, const Candidate& a, const Cand
         for (const Channel& c : last.channels) {
             double& sd = with.experiments.back().noise[c.name];
             if (sd > 0.0) continue;
-            sd = usual_noise(d, c.name, shown.fit.prediction.segment(static_cast<Index>(c.first), static_cast<Index>(c.recorded.size())));
+            sd = usual_noise(d, c.name,
+                             shown.fit.prediction.segment(static_cast<Index>(c.first),
+                                                          static_cast<Index>(c.recorded.size())));
         }
     }
     const Problem both = problem_of(with);
@@ -144,8 +175,9 @@ Tried tried(const Problem& p, const Noise& noise, const Candidate& a, const Cand
 
 }  // namespace
 
-std::optional<NextExperiment> next_experiment(const Problem& p, const Noise& noise, const Candidate& first,
-                                              const Candidate& second, int threads) {
+std::optional<NextExperiment> next_experiment(const Problem& p, const Noise& noise,
+                                              const Candidate& first, const Candidate& second,
+                                              int threads) {
     const std::vector<Design> list = designs(p);
     std::vector<Tried> outcome(list.size());
     in_parallel(list.size(), threads, [&](std::size_t k) {
@@ -165,14 +197,17 @@ std::optional<NextExperiment> next_experiment(const Problem& p, const Noise& noi
                           .grain = d.grain,
                           .channels = d.channels,
                           .ordinate = ordinate_of(d.rig),
-                          .ordinate_unit = ordinate_of(d.rig) == "t" ? "s" : ordinate_of(d.rig) == "angle" ? "rad" : "m",
+                          .ordinate_unit = ordinate_of(d.rig) == "t"       ? "s"
+                                           : ordinate_of(d.rig) == "angle" ? "rad"
+                                                                           : "m",
                           .from = d.from,
                           .to = d.to,
                           .rows = d.rows,
                           .noise = outcome[best].noise,
                           .between = {first.name(), second.name()},
                           .separation_sigma = outcome[best].sigma,
-                          .why = fmt::format("It would set {} and {} {:.1f} sigma apart.", first.name(), second.name(), outcome[best].sigma)};
+                          .why = fmt::format("It would set {} and {} {:.1f} sigma apart.",
+                                             first.name(), second.name(), outcome[best].sigma)};
 }
 
 std::unique_ptr<Planned> with_held_out(const Problem& p, const Noise& noise) {
@@ -185,14 +220,17 @@ std::unique_ptr<Planned> with_held_out(const Problem& p, const Noise& noise) {
             if (r.experiment->rig == e.rig && !e.recording) {
                 e.recording = r.experiment->recording;
                 for (cases::Column& column : e.recording->columns)
-                    if (column.name != r.ordinate && column.words.empty()) std::fill(column.values.begin(), column.values.end(), 0.0);
+                    if (column.name != r.ordinate && column.words.empty())
+                        std::fill(column.values.begin(), column.values.end(), 0.0);
             }
         if (e.recording) {
             e.held_out = false, any = true;
             for (const Record& r : p.records)
                 if (r.experiment->rig == e.rig)
                     for (std::size_t c = 0; c < r.channels.size(); ++c)
-                        e.noise.try_emplace(r.channels[c].name, noise[static_cast<std::size_t>(&r - p.records.data())][c].deviation);
+                        e.noise.try_emplace(
+                            r.channels[c].name,
+                            noise[static_cast<std::size_t>(&r - p.records.data())][c].deviation);
         }
     }
     if (!any) return nullptr;

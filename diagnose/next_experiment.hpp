@@ -11,7 +11,8 @@
 namespace diagnose {
 
 // Noise is that of the case for the same channel, else what a careful laboratory has. Nothing where no design helps.
-std::optional<NextExperiment> next_experiment(const Problem&, const Noise&, const Candidate& first, const Candidate& second, int threads);
+std::optional<NextExperiment> next_experiment(const Problem&, const Noise&, const Candidate& first,
+                                              const Candidate& second, int threads);
 
 // The problem with the experiments that are held out as if they had been recorded at ordinates like those of the fits: how
 // far hypotheses will be apart is asked before they are opened. The Case must outlive the Problem; nothing where none is held out.

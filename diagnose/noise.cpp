@@ -58,7 +58,8 @@ double best_variance(const Spectrum& s, double rho) {
 }
 
 double log_likelihood(const Spectrum& s, double rho, double stated) {
-    const double variance = stated > 0.0 ? stated * stated : std::max(best_variance(s, rho), 1e-300);
+    const double variance =
+        stated > 0.0 ? stated * stated : std::max(best_variance(s, rho), 1e-300);
     double sum = 0.0;
     for (std::size_t m = 0; m < s.power.size(); ++m) {
         const double density = variance * shape(rho, s.cosine[m]);
@@ -109,7 +110,9 @@ Whitener::Whitener(const Problem& p, const Noise& noise)
                                         r.ordinates.retract[k] != r.ordinates.retract[k - 1];
                 if (new_branch) last = -1;
                 const double phi =
-                    last < 0 || rho == 0.0 ? 0.0 : std::pow(rho, static_cast<double>(static_cast<int>(k) - last));
+                    last < 0 || rho == 0.0
+                        ? 0.0
+                        : std::pow(rho, static_cast<double>(static_cast<int>(k) - last));
                 a_[at] = 1.0 / (sigma * std::sqrt(1.0 - phi * phi));
                 b_[at] = phi * a_[at];
                 previous_[at] = last < 0 ? -1 : static_cast<int>(channel.first) + last;
@@ -170,7 +173,8 @@ Noise estimated(const Problem& p, const Eigen::VectorXd& residual, std::size_t f
         }
     }
     const double share_left =
-        1.0 - std::min(0.8, static_cast<double>(fitted) / static_cast<double>(std::max<std::size_t>(1, rows)));
+        1.0 - std::min(0.8, static_cast<double>(fitted) /
+                                static_cast<double>(std::max<std::size_t>(1, rows)));
     Noise noise = first_guess(p);
     for (const auto& [name, series] : by_channel) {
         std::vector<const Series*> all;

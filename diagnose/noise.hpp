@@ -24,15 +24,18 @@ class Whitener {
   public:
     Whitener(const Problem&, const Noise&);
 
-    Eigen::VectorXd operator()(const Eigen::VectorXd& residual) const;  // long vector to long vector
-    Eigen::VectorXd coloured(const Eigen::VectorXd& white) const;       // the inverse
+    Eigen::VectorXd operator()(
+        const Eigen::VectorXd& residual) const;                    // long vector to long vector
+    Eigen::VectorXd coloured(const Eigen::VectorXd& white) const;  // the inverse
     const std::vector<bool>& measured() const { return measured_; }
-    std::size_t rows() const { return rows_; }         // measured
-    double log_normaliser() const { return log_norm_; }  // -sum log(sigma sqrt(1 - phi^2)) - rows/2 log(2 pi)
+    std::size_t rows() const { return rows_; }  // measured
+    double log_normaliser() const {
+        return log_norm_;
+    }  // -sum log(sigma sqrt(1 - phi^2)) - rows/2 log(2 pi)
 
   private:
-    std::vector<int> previous_;    // [size], -1: first of its series
-    std::vector<double> a_, b_;    // z = a r - b r_previous
+    std::vector<int> previous_;  // [size], -1: first of its series
+    std::vector<double> a_, b_;  // z = a r - b r_previous
     std::vector<bool> measured_;
     std::size_t rows_ = 0;
     double log_norm_ = 0.0;

@@ -14,7 +14,8 @@ namespace {
 
 std::string ordinate_of(const cases::Experiment& e) {
     if (e.rig == "impact") return "angle";
-    if (e.rig == "pull_off") return e.recording->has("displacement") ? "displacement" : "separation";
+    if (e.rig == "pull_off")
+        return e.recording->has("displacement") ? "displacement" : "separation";
     return "t";
 }
 
@@ -78,8 +79,10 @@ void add_nuisances(Problem& p) {
     bool shared_done = false;
     for (const Record& r : p.records) {
         const cases::Experiment& e = *r.experiment;
-        if (!same(e.grain, p.given->grain)) add_grain(p.base, e.grain, e.id);
-        else if (!shared_done) add_grain(p.base, e.grain, ""), shared_done = true;
+        if (!same(e.grain, p.given->grain))
+            add_grain(p.base, e.grain, e.id);
+        else if (!shared_done)
+            add_grain(p.base, e.grain, ""), shared_done = true;
         for (const cases::Condition& rule : cases::rig_rule(e.rig).conditions) {
             if (rule.unit.empty() || !e.conditions.has(rule.name)) continue;
             const cases::Value& v = e.conditions.at(rule.name);
@@ -119,7 +122,8 @@ void add_base_lines(Problem& p) {
                            .experiment = r.experiment->id};
         };
         p.base.push_back(line(Target::base_line, "base_line_offset", "N", 0.5 * range));
-        p.base.push_back(line(Target::base_line_slope, "base_line_slope", "N/m", 0.2 * range / width));
+        p.base.push_back(
+            line(Target::base_line_slope, "base_line_slope", "N/m", 0.2 * range / width));
     }
 }
 
@@ -192,12 +196,18 @@ Problem problem_of(const cases::Case& c, bool held_out) {
 rigs::World world_at(const Problem& p, const Hypothesised& h, const Eigen::VectorXd& theta,
                      const Record& record) {
     rigs::World world = p.world;
+    // Whatever is added is run resolved: physics is not to make up for a coarse step.
+    if (!h.terms.empty()) world.numerics.reset();
     for (const Term* t : h.terms) {
-        if (t->effect == "numerical_artefact") world.numerics.reset();
-        else if (t->effect == "tangential_compliance") world.physics.erase("hertz_coulomb"), world.physics.insert({"hertz_mindlin", t->effect});
+        if (t->effect == "numerical_artefact") continue;
+        if (t->effect == "tangential_compliance")
+            world.physics.erase("hertz_coulomb"),
+                world.physics.insert({"hertz_mindlin", t->effect});
         else if (!t->missing_variable.empty())
-            world.missing = rigs::MissingForce{t->missing_variable, t->missing_knots, std::vector<double>(t->missing_knots.size(), 0.0)};
-        else if (t->channel.empty() && t->effect != "time_base") world.physics.insert(t->effect);
+            world.missing = rigs::MissingForce{t->missing_variable, t->missing_knots,
+                                               std::vector<double>(t->missing_knots.size(), 0.0)};
+        else if (t->channel.empty() && t->effect != "time_base")
+            world.physics.insert(t->effect);
     }
     for (std::size_t k = 0; k < h.unknowns.size(); ++k) {
         const Unknown& u = h.unknowns[k];
@@ -205,7 +215,8 @@ rigs::World world_at(const Problem& p, const Hypothesised& h, const Eigen::Vecto
         if (!u.experiment.empty() && u.experiment != record.experiment->id) continue;
         if (u.target == Target::parameter) world.parameters[u.key] = value;
         if (u.target == Target::stated) world.stated[u.key] = value;
-        if (u.target == Target::missing_force_knot && world.missing) world.missing->newtons[u.index] = value;
+        if (u.target == Target::missing_force_knot && world.missing)
+            world.missing->newtons[u.index] = value;
     }
     return world;
 }
@@ -218,7 +229,8 @@ struct Instrument {
     double base_line = 0.0, slope = 0.0;
 };
 
-Instrument instrument_at(const Hypothesised& h, const Eigen::VectorXd& theta, const Record& record) {
+Instrument instrument_at(const Hypothesised& h, const Eigen::VectorXd& theta,
+                         const Record& record) {
     Instrument i;
     for (std::size_t k = 0; k < h.unknowns.size(); ++k) {
         const Unknown& u = h.unknowns[k];
@@ -230,7 +242,8 @@ Instrument instrument_at(const Hypothesised& h, const Eigen::VectorXd& theta, co
         if (u.target == Target::offset) i.offset[u.key] = value;
         if (u.target != Target::scale) continue;
         for (const Channel& c : record.channels)
-            if (("," + u.key + ",").find("," + c.name + ",") != std::string::npos) i.scale[c.name] = value;
+            if (("," + u.key + ",").find("," + c.name + ",") != std::string::npos)
+                i.scale[c.name] = value;
     }
     return i;
 }
@@ -266,7 +279,8 @@ Eigen::VectorXd predicted(const Problem& p, const Hypothesised& h, const Eigen::
                 if (!std::isfinite(v)) continue;
                 if (scale != i.scale.end()) v *= scale->second;
                 if (offset != i.offset.end()) v += offset->second;
-                if (r.ordinate == "displacement") v += i.base_line + i.slope * (r.ordinates.at[k] - middle);
+                if (r.ordinate == "displacement")
+                    v += i.base_line + i.slope * (r.ordinates.at[k] - middle);
                 y[static_cast<Eigen::Index>(c.first + k)] = v;
             }
         }

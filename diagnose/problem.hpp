@@ -32,17 +32,18 @@ struct Record {
 // One hypothesis: the user's physics, terms added to it, all unknowns.
 struct Hypothesised {
     std::vector<const Term*> terms;
-    std::vector<Unknown> unknowns;  // those of the base model that are not idle, then those of the terms
-    std::string name() const;       // "none", "air_drag", "adhesion + tilt"
+    std::vector<Unknown>
+        unknowns;              // those of the base model that are not idle, then those of the terms
+    std::string name() const;  // "none", "air_drag", "adhesion + tilt"
 };
 
 struct Problem {
     const cases::Case* given = nullptr;
     std::vector<Record> records;
-    std::size_t size = 0;           // of the long vector
-    std::vector<Unknown> base;      // free parameters, nuisances
-    rigs::World world;              // the user's, at stated values
-    Eigen::VectorXd recorded;       // [size]; NaN where nothing was measured
+    std::size_t size = 0;       // of the long vector
+    std::vector<Unknown> base;  // free parameters, nuisances
+    rigs::World world;          // the user's, at stated values
+    Eigen::VectorXd recorded;   // [size]; NaN where nothing was measured
 
     Hypothesised hypothesis(std::vector<const Term*> terms) const;
 };

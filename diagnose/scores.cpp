@@ -42,7 +42,8 @@ Candidate carried_over(const Problem& to, const Candidate& c) {
     VectorXd theta = start_of(moved.h.unknowns);
     for (std::size_t k = 0; k < moved.h.unknowns.size(); ++k)
         for (std::size_t n = 0; n < c.h.unknowns.size(); ++n)
-            if (moved.h.unknowns[k].name == c.h.unknowns[n].name && moved.h.unknowns[k].index == c.h.unknowns[n].index &&
+            if (moved.h.unknowns[k].name == c.h.unknowns[n].name &&
+                moved.h.unknowns[k].index == c.h.unknowns[n].index &&
                 moved.h.unknowns[k].key == c.h.unknowns[n].key)
                 theta[static_cast<Index>(k)] = c.fit.theta[static_cast<Index>(n)];
     moved.fit.theta = theta;
@@ -50,14 +51,17 @@ Candidate carried_over(const Problem& to, const Candidate& c) {
     return moved;
 }
 
-Scores scores(const Problem& p, const Noise& noise, const Candidate& base, const Candidate& extended) {
+Scores scores(const Problem& p, const Noise& noise, const Candidate& base,
+              const Candidate& extended) {
     Scores s{0.0, 0.0, 0.0, {}};
     double count = 0.0;
     for (std::size_t j = 0; j < p.records.size(); ++j) {
         for (std::size_t c = 0; c < p.records[j].channels.size(); ++c) {
-            const Nrmse n = nrmse_of(p.records[j].channels[c], base.fit.prediction, extended.fit.prediction, noise[j][c].deviation);
+            const Nrmse n = nrmse_of(p.records[j].channels[c], base.fit.prediction,
+                                     extended.fit.prediction, noise[j][c].deviation);
             if (!std::isfinite(n.base)) continue;
-            s.nrmse_base += n.base, s.nrmse_extended += n.extended, s.noise_floor += n.floor, count += 1.0;
+            s.nrmse_base += n.base, s.nrmse_extended += n.extended, s.noise_floor += n.floor,
+                count += 1.0;
         }
         s.experiments.push_back(p.records[j].experiment->id);
     }
@@ -65,8 +69,8 @@ Scores scores(const Problem& p, const Noise& noise, const Candidate& base, const
     return s;
 }
 
-std::vector<PredictedCurve> curves(const Problem& p, const Noise& noise, const Candidate& base, const Candidate& extended,
-                                   bool held_out) {
+std::vector<PredictedCurve> curves(const Problem& p, const Noise& noise, const Candidate& base,
+                                   const Candidate& extended, bool held_out) {
     std::vector<PredictedCurve> list;
     for (std::size_t j = 0; j < p.records.size(); ++j) {
         const Record& r = p.records[j];
@@ -77,17 +81,21 @@ std::vector<PredictedCurve> curves(const Problem& p, const Noise& noise, const C
                                  .unit = unit_of(channel.name),
                                  .held_out = held_out,
                                  .ordinate = r.ordinate,
-                                 .ordinate_unit = r.ordinate == "t" ? "s" : r.ordinate == "angle" ? "rad" : "m",
+                                 .ordinate_unit = r.ordinate == "t"       ? "s"
+                                                  : r.ordinate == "angle" ? "rad"
+                                                                          : "m",
                                  .at = r.ordinates.at,
                                  .branch = {},
                                  .recorded = channel.recorded,
                                  .base = {},
                                  .extended = {},
                                  .noise = noise[j][c].deviation};
-            for (const bool retract : r.ordinates.retract) curve.branch.push_back(retract ? "retract" : "approach");
+            for (const bool retract : r.ordinates.retract)
+                curve.branch.push_back(retract ? "retract" : "approach");
             for (std::size_t k = 0; k < channel.recorded.size(); ++k) {
                 curve.base.push_back(base.fit.prediction[static_cast<Index>(channel.first + k)]);
-                curve.extended.push_back(extended.fit.prediction[static_cast<Index>(channel.first + k)]);
+                curve.extended.push_back(
+                    extended.fit.prediction[static_cast<Index>(channel.first + k)]);
             }
             list.push_back(std::move(curve));
         }
@@ -103,8 +111,10 @@ Noise noise_like(const Problem& to, const Problem& known, const Noise& noise) {
             double deviation = 0.0, correlation = 0.0, count = 0.0;
             for (std::size_t a = 0; a < known.records.size(); ++a)
                 for (std::size_t b = 0; b < known.records[a].channels.size(); ++b)
-                    if (known.records[a].experiment->rig == to.records[j].experiment->rig && known.records[a].channels[b].name == channel.name)
-                        deviation += noise[a][b].deviation, correlation += noise[a][b].correlation, count += 1.0;
+                    if (known.records[a].experiment->rig == to.records[j].experiment->rig &&
+                        known.records[a].channels[b].name == channel.name)
+                        deviation += noise[a][b].deviation, correlation += noise[a][b].correlation,
+                            count += 1.0;
             if (count == 0.0) continue;
             result[j][c].correlation = correlation / count;
             if (channel.stated_noise <= 0.0) result[j][c].deviation = deviation / count;

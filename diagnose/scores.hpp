@@ -15,7 +15,8 @@ Candidate carried_over(const Problem& to, const Candidate&);
 
 // Of all recordings of the problem.
 Scores scores(const Problem&, const Noise&, const Candidate& base, const Candidate& extended);
-std::vector<PredictedCurve> curves(const Problem&, const Noise&, const Candidate& base, const Candidate& extended, bool held_out);
+std::vector<PredictedCurve> curves(const Problem&, const Noise&, const Candidate& base,
+                                   const Candidate& extended, bool held_out);
 
 // Noise of another set of recordings: as stated there, else as found for the same channel here.
 Noise noise_like(const Problem& to, const Problem& known, const Noise&);

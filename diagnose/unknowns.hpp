@@ -41,11 +41,12 @@ struct Unknown {
 
 // One effect that may have been left out.
 struct Term {
-    std::string effect;              // its name in a verdict
-    std::string channel{};           // of a measurement effect
-    std::vector<Unknown> unknowns;   // the first sets the strength
-    std::vector<std::string> idle{}; // parameters of the base model that have no influence beside it
-    bool two_sided = false;          // the first unknown may have either sign
+    std::string effect;             // its name in a verdict
+    std::string channel{};          // of a measurement effect
+    std::vector<Unknown> unknowns;  // the first sets the strength
+    std::vector<std::string>
+        idle{};              // parameters of the base model that have no influence beside it
+    bool two_sided = false;  // the first unknown may have either sign
     std::string missing_variable{};  // of a missing force
     std::vector<double> missing_knots{};
 };

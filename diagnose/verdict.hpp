@@ -27,8 +27,8 @@ struct Located {
     std::string experiment, channel;
     std::string variable, unit;  // of from and to, SI
     double from, to;
-    int sign;         // of recorded minus simulated, weighted by size
-    double size;      // rms of the mismatch in the interval
+    int sign;     // of recorded minus simulated, weighted by size
+    double size;  // rms of the mismatch in the interval
     std::string size_unit;
     double p_value;  // one global p-value for the whole case
 };
@@ -56,10 +56,10 @@ struct Gate {
 
 // The force that is missing, as a function of one variable of the state.
 struct MissingForceEstimate {
-    std::string variable, unit;             // of the knots, SI
-    std::vector<double> knots;              // rising
-    std::vector<double> force, low, high;   // N; 90 % band
-    std::string words;                      // "an attraction to the plate that grows as the fourth power near it"
+    std::string variable, unit;            // of the knots, SI
+    std::vector<double> knots;             // rising
+    std::vector<double> force, low, high;  // N; 90 % band
+    std::string words;  // "an attraction to the plate that grows as the fourth power near it"
 };
 
 struct Effect {
@@ -86,9 +86,10 @@ struct NextExperiment {
     std::string ordinate, ordinate_unit;  // SI
     double from, to;
     int rows;
-    std::map<std::string, double> noise;           // SI, that it was planned with
-    std::vector<std::string> between;              // the hypotheses that it tells apart, as "air_drag" or "a + b"
-    double separation_sigma;                       // expected
+    std::map<std::string, double> noise;  // SI, that it was planned with
+    std::vector<std::string>
+        between;              // the hypotheses that it tells apart, as "air_drag" or "a + b"
+    double separation_sigma;  // expected
     std::string why;
 };
 

@@ -12,7 +12,8 @@ namespace diagnose {
 std::string plain_name(const std::string& effect);  // "air drag"
 
 // What the effect does and why it is believed here, a sentence each.
-std::vector<std::string> reasons(const std::string& effect, double probability, double gain, const std::vector<Located>&);
+std::vector<std::string> reasons(const std::string& effect, double probability, double gain,
+                                 const std::vector<Located>&);
 
 // Sign, variable and shape of a missing force.
 std::string described(const MissingForceEstimate&);

@@ -23,22 +23,26 @@ struct MissingForce {
 
 // What acts, and how strongly.
 struct World {
-    std::set<std::string> physics;             // names of docs/effects.md
-    std::map<std::string, double> parameters;  // left out: restitution 1, friction 0, contact angle 0, stiffness ratio 1
+    std::set<std::string> physics;  // names of docs/effects.md
+    std::map<std::string, double>
+        parameters;  // left out: restitution 1, friction 0, contact angle 0, stiffness ratio 1
     // In place of what the case states: "grain.diameter", "grain.density", "grain.youngs_modulus", "grain.poisson_ratio",
     // "conditions.height", ...
     std::map<std::string, double> stated;
-    std::optional<cases::Numerics> numerics;  // as the user's run was made; without: as exact as need be
+    std::optional<cases::Numerics>
+        numerics;  // as the user's run was made; without: as exact as need be
     std::optional<MissingForce> missing;
 };
 
 // Where the channels are asked for.
 struct Ordinates {
-    std::vector<double> at;     // drop, incline: t; impact: angle; pull_off: separation, or displacement where the drive is known
+    std::vector<double>
+        at;  // drop, incline: t; impact: angle; pull_off: separation, or displacement where the drive is known
     std::vector<bool> retract;  // pull_off: the branch of each; else empty
 };
 
-using Curves = std::map<std::string, std::vector<double>>;  // [ordinates]; NaN where the rig has no answer
+using Curves =
+    std::map<std::string, std::vector<double>>;  // [ordinates]; NaN where the rig has no answer
 
 class ForwardModel {
   public:

@@ -12,6 +12,8 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 constexpr int most_changes = 8;  // of the branch of the drag curve, in one stretch
+constexpr int most_events =
+    100;  // between which time stands still: slip and spin that take turns in coming to nothing
 
 double sign(double x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : 0.0; }
 
@@ -146,7 +148,8 @@ void carry_by_steps(OnPlate& x, double until, const PlateForces& f, Rows& rows,
     const double guess = 0.05 * scale / (std::abs(first.a) + std::abs(first.b) + 1e-30);
     Ode<3, Plane> ode({&f, &mode, &x.newton}, x.t, {x.s, x.v, x.w},
                       {1e-12 * scale, 1e-11 * scale, 1e-11 * scale}, std::min(guess, 1e3));
-    int changes = 0;
+    int changes = 0, events = 0;
+    double last = x.t;
     while (x.t < until && !rows.done() && std::isfinite(x.s + x.v + x.w)) {
         if (mode.kind == Mode::Kind::rest) {
             x.t = std::min(until, std::max(rows.time(), x.t));
@@ -192,6 +195,11 @@ void carry_by_steps(OnPlate& x, double until, const PlateForces& f, Rows& rows,
         x.newton = event == 4 ? !newton : newton;
         if (event == 4) ++changes;
         if (event == 0) continue;
+        events = x.t - last < 1e-9 * horizon ? events + 1 : 0, last = x.t;
+        if (events > most_events) {
+            x.v = x.w = 0.0;
+            return;
+        }
         if (event == 1 || event == 2) settle(mode, f, x, event == 1);
         mode = event == 3 ? sliding(f, x, -sign(rates(f, mode, x).a - pull(f, x))) : mode_of(f, x);
         ode.restart(x.t, {x.s, x.v, x.w});
@@ -206,7 +214,14 @@ void carry(OnPlate& x, double until, const PlateForces& f, Rows& rows, const Rec
     const bool dragged = f.drag != nullptr && f.drag->factor != 0.0;
     const bool even = !dragged && !f.further && !f.friction.depends();
     if (dragged) x.newton = f.drag->beyond(std::abs(x.v));
+    int turns = 0;
     while (x.t < until && !rows.done() && std::isfinite(x.s + x.v + x.w)) {
+        if (++turns > 10 * most_events) {  // it rests, but for round-off
+            x.v = x.w = 0.0;
+            for (; !rows.done() && rows.time() <= until; ++rows.next) record(rows.next, x);
+            x.t = until;
+            return;
+        }
         if (even)
             carry_evenly(x, until, f, rows, record);
         else

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "diagnose/candidates.hpp"
 #include "diagnose/fit.hpp"
+
+#include "diagnose/candidates.hpp"
 #include "diagnose/noise.hpp"
 #include "line.hpp"
 
-#include <catch2/catch.hpp>
-
 #include <Eigen/Dense>
+#include <catch2/catch.hpp>
 
 #include <numbers>
 
@@ -24,7 +24,8 @@ Candidate base(const diagnose::Problem& p, const diagnose::Whitener& w) {
 }  // namespace
 
 // The normal equations of a straight line, worked out here with Eigen.
-TEST_CASE("fit: a straight line comes out as the normal equations say, with their errors", "[diagnose][fit][exact]") {
+TEST_CASE("fit: a straight line comes out as the normal equations say, with their errors",
+          "[diagnose][fit][exact]") {
     const diagnose::Problem p = line::problem(60, 1.0, -2.0, 0.0, 0.1, 0.0, 5);
     const diagnose::Whitener w(p, diagnose::first_guess(p));
     const Candidate c = base(p, w);
@@ -42,16 +43,20 @@ TEST_CASE("fit: a straight line comes out as the normal equations say, with thei
 }
 
 // Gaussian integral in closed form: Z = (2 pi sigma^2)^(-n/2) exp(-chi^2/2) (2 pi)^(p/2) det(X'X/sigma^2)^(-1/2)/20^p.
-TEST_CASE("fit: the evidence of a straight line is its Gaussian integral over the prior", "[diagnose][fit][exact]") {
+TEST_CASE("fit: the evidence of a straight line is its Gaussian integral over the prior",
+          "[diagnose][fit][exact]") {
     const diagnose::Problem p = line::problem(80, 0.3, 1.0, 0.0, 0.05, 0.0, 6);
     const diagnose::Whitener w(p, diagnose::first_guess(p));
     const Candidate c = base(p, w);
     Eigen::MatrixXd x(80, 2);
     for (Eigen::Index k = 0; k < 80; ++k) x(k, 0) = 1.0, x(k, 1) = static_cast<double>(k) / 79.0;
-    const Eigen::VectorXd left = p.recorded - x * (x.transpose() * x).ldlt().solve(x.transpose() * p.recorded);
+    const Eigen::VectorXd left =
+        p.recorded - x * (x.transpose() * x).ldlt().solve(x.transpose() * p.recorded);
     const double s2 = 0.05 * 0.05;
-    const double expected = -40.0 * std::log(2.0 * std::numbers::pi * s2) - 0.5 * left.squaredNorm() / s2 + std::log(2.0 * std::numbers::pi) -
-                            0.5 * std::log((x.transpose() * x / s2).determinant()) - 2.0 * std::log(20.0);
+    const double expected = -40.0 * std::log(2.0 * std::numbers::pi * s2) -
+                            0.5 * left.squaredNorm() / s2 + std::log(2.0 * std::numbers::pi) -
+                            0.5 * std::log((x.transpose() * x / s2).determinant()) -
+                            2.0 * std::log(20.0);
     CHECK(c.log_evidence == Approx(expected).margin(2e-3));  // chi squared is minimal to 1e-3
 }
 
@@ -62,7 +67,8 @@ TEST_CASE("fit: a range is a hard end", "[diagnose][fit][limit]") {
     CHECK(base(p, w).fit.theta[0] == Approx(2.0).epsilon(1e-9));
 }
 
-TEST_CASE("fit: a bend that was left out is found, its evidence falls where there is none", "[diagnose][fit]") {
+TEST_CASE("fit: a bend that was left out is found, its evidence falls where there is none",
+          "[diagnose][fit]") {
     const diagnose::Term bend = line::bend();
     for (const double c : {0.0, 1.0}) {
         const diagnose::Problem p = line::problem(100, 0.0, 1.0, c, 0.05, 0.0, 8);
@@ -73,7 +79,9 @@ TEST_CASE("fit: a bend that was left out is found, its evidence falls where ther
         CHECK((with.log_evidence > without.log_evidence) == (c > 0.0));
         if (c > 0.0) {
             // A parabola less its best straight line has variance c^2/180 over an even grid on [0, 1].
-            CHECK(diagnose::separation(p, w, with, without) == Approx(with.fit.theta[2] * std::sqrt(100.0 / 180.0) / 0.05).epsilon(0.03));  // 100 rows, not infinitely many
+            CHECK(diagnose::separation(p, w, with, without) ==
+                  Approx(with.fit.theta[2] * std::sqrt(100.0 / 180.0) / 0.05)
+                      .epsilon(0.03));  // 100 rows, not infinitely many
         }
     }
 }
@@ -84,16 +92,20 @@ TEST_CASE("noise: whitening turns AR(1) noise white, and back", "[diagnose][nois
     const Eigen::VectorXd z = w(p.recorded);
     CHECK((w.coloured(z) - p.recorded).norm() < 1e-12 * p.recorded.norm());
     const double lag = z.head(3999).dot(z.tail(3999)) / z.squaredNorm();
-    CHECK(std::abs(lag) < 4.0 / std::sqrt(4000.0));           // four standard errors of a correlation of none
+    CHECK(std::abs(lag) <
+          4.0 / std::sqrt(4000.0));  // four standard errors of a correlation of none
     CHECK(z.squaredNorm() / 4000.0 == Approx(1.0).margin(4.0 * std::sqrt(2.0 / 4000.0)));
 }
 
-TEST_CASE("noise: correlation and deviation are found, a smooth mismatch notwithstanding", "[diagnose][noise]") {
+TEST_CASE("noise: correlation and deviation are found, a smooth mismatch notwithstanding",
+          "[diagnose][noise]") {
     const double rho = GENERATE(0.0, 0.4, 0.8);
     diagnose::Problem p = line::problem(400, 0.0, 0.0, 2.0, 0.1, rho, 10);
     SECTION("deviation stated") {}
     SECTION("deviation not stated") { p.records[0].channels[0].stated_noise = 0.0; }
     const diagnose::Noise n = diagnose::estimated(p, p.recorded, 2);  // the parabola is still in it
-    CHECK(n[0][0].correlation == Approx(rho).margin(0.12));  // 4 sqrt(1 - rho^2)/sqrt(300) at most 0.2; three quarters of the spectrum
+    CHECK(n[0][0].correlation ==
+          Approx(rho).margin(
+              0.12));  // 4 sqrt(1 - rho^2)/sqrt(300) at most 0.2; three quarters of the spectrum
     CHECK(n[0][0].deviation == Approx(0.1).epsilon(0.25));
 }

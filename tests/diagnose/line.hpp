@@ -18,7 +18,8 @@ class Model : public rigs::ForwardModel {
         };
         std::vector<double> z;
         for (const double t : o.at)
-            z.push_back(value("a") + value("b") * t + (w.physics.contains("bend") ? value("c") * t * t : 0.0));
+            z.push_back(value("a") + value("b") * t +
+                        (w.physics.contains("bend") ? value("c") * t * t : 0.0));
         return {{"z", z}};
     }
     rigs::Curves variables(const rigs::World&, const rigs::Ordinates& o) const override {
@@ -37,14 +38,24 @@ inline const cases::Experiment& experiment() {
 }
 
 inline diagnose::Unknown unknown(const char* name, double low, double high) {
-    return {.name = name, .unit = "1", .key = name, .prior = diagnose::Prior::uniform, .low = low, .high = high,
+    return {.name = name,
+            .unit = "1",
+            .key = name,
+            .prior = diagnose::Prior::uniform,
+            .low = low,
+            .high = high,
             .start = 0.5 * (low + high)};
 }
 
 // n rows on [0, 1], z = a + b t + c t^2 + noise; stated deviation `sigma`; AR(1) noise of correlation rho.
-inline diagnose::Problem problem(std::size_t n, double a, double b, double c, double sigma, double rho, unsigned seed) {
+inline diagnose::Problem problem(std::size_t n, double a, double b, double c, double sigma,
+                                 double rho, unsigned seed) {
     diagnose::Problem p;
-    diagnose::Record r{.experiment = &experiment(), .model = std::make_unique<Model>(), .ordinates = {}, .ordinate = "t", .channels = {}};
+    diagnose::Record r{.experiment = &experiment(),
+                       .model = std::make_unique<Model>(),
+                       .ordinates = {},
+                       .ordinate = "t",
+                       .channels = {}};
     diagnose::Channel z{.name = "z", .recorded = {}, .stated_noise = sigma};
     std::mt19937_64 random(seed);
     std::normal_distribution<double> normal;
@@ -59,7 +70,8 @@ inline diagnose::Problem problem(std::size_t n, double a, double b, double c, do
     p.records.push_back(std::move(r));
     p.size = n;
     p.base = {unknown("a", -10.0, 10.0), unknown("b", -10.0, 10.0)};
-    p.recorded = Eigen::Map<const Eigen::VectorXd>(p.records[0].channels[0].recorded.data(), static_cast<Eigen::Index>(n));
+    p.recorded = Eigen::Map<const Eigen::VectorXd>(p.records[0].channels[0].recorded.data(),
+                                                   static_cast<Eigen::Index>(n));
     return p;
 }
 
