@@ -169,13 +169,13 @@ bool Fall::bounce() {
     const double well = 2.0 * surface_well(w, s) / s.mass();
     v = std::sqrt(v * v + well);
     const double e = restitution_at(w, v, std::atan2(std::abs(y[3]), v));
-    const double pull = attraction(w, s, 0.0, wet);
+    // Weight, bridge and charge take no part in the microseconds of a contact.
     NormalContact contact;
-    if (pull <= 0.0 && w.work_of_adhesion <= 0.0) {
+    if (w.work_of_adhesion <= 0.0) {
         if (!course || course->first != e) course.emplace(e, hertz_course(e));
         contact = scaled_course(s, course->second, v, e);
     } else {
-        contact = normal_contact(w, s, v, e, pull + s.mass() * weight(t));
+        contact = adhesive_contact(w, s, v, e);
     }
     const Slip out = after_contact(w, s, contact, {y[3], y[4]});
     const double x0 = y[2], mean = 0.5 * (y[3] + out.velocity);
@@ -214,19 +214,22 @@ void Fall::stay_on_plate() {
     const auto lets_go = [&](double at) {
         return -w.amplitude * omega * omega * std::sin(omega * at + w.phase) + g;
     };
-    while (t < t_end) {
-        if (lets_go(t) < 0.0) break;
-        y[0] = plate(t), y[1] = plate_speed(t);
-        path.add({t, y[0], y[1], lets_go(t) - g, y[2], y[3], 0.0, y[4], 0.0});
+    // Along the plate it slides and rolls under its mean load meanwhile.
+    Path along;
+    along.add({t, 0.0, 0.0, 0.0, y[2], y[3], 0.0, y[4], 0.0});
+    Load load = load_on_plane(w, s, 0.0, wet);
+    load.along = weight(t) * leaning;
+    move_on_ground(w, s, load, t_end, along);
+    while (t < t_end && lets_go(t) >= 0.0) {
+        const Point p = along.at(t);
+        y[2] = p.x, y[3] = p.vx, y[4] = p.spin;
+        path.add({t, plate(t), plate_speed(t), lets_go(t) - g, p.x, p.vx, load.along * 5.0 / 7.0,
+                  p.spin, 0.0});
         const double next = std::min(t + step, t_end);
-        y[2] += y[3] * (next - t);
-        if (lets_go(next) < 0.0) {
-            t = root(lets_go, t, next) + 1e-9 / w.frequency;
-            break;
-        }
-        t = next;
+        t = lets_go(next) < 0.0 ? root(lets_go, t, next) + 1e-9 / w.frequency : next;
     }
-    y[0] = plate(t), y[1] = plate_speed(t);
+    const Point p = along.at(t);
+    y[0] = plate(t), y[1] = plate_speed(t), y[2] = p.x, y[3] = p.vx, y[4] = p.spin;
     path.add({t, y[0], y[1], 0.0, y[2], y[3], 0.0, y[4], 0.0});
 }
 

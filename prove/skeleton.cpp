@@ -336,7 +336,9 @@ Skeleton curves(Dice& dice) {
         if (driven) {
             s.cantilever_stiffness = stiffness;
             deep += s.preload / stiffness;
-            far = std::max(far, 2.5 * unit / stiffness);
+            const double pull =
+                1.5 * std::numbers::pi * s.r_star() * std::max(0.05, d.sk.world.work_of_adhesion);
+            far = std::max(far, 2.5 * pull / stiffness);
         }
         ordinates(s, dice, rows, deep, far, d.uneven);
         s.recorded = {Channel::force};
