@@ -68,6 +68,9 @@ struct Fall {
         rates(t, y, rate);
         path.add({t, y[0], y[1], rate[1], y[2], y[3], rate[3], y[4], 0.0});
     }
+    double first_try() const;
+    bool along_parabola(double& h);
+    void back_to_gap(double gap, double t0, const double* a);
     bool fly();     // to the next touch; false where t_end came first
     bool bounce();  // false where the grain stays
     void lie();     // from here to t_end
@@ -83,80 +86,79 @@ void between(double at, double t0, const double* a, const double* ra, double t1,
     state[4] = a[4];
 }
 
+// The step to try first: a tenth of the hop; for a parabola over a plate at rest all of it.
+double Fall::first_try() const {
+    double rate[5];
+    rates(t, y, rate);
+    const double hop = std::max(2.0 * std::abs(y[1] - plate_speed(t)) / std::abs(rate[1]), 1e-9);
+    if (!constant()) return first_step(w, s, std::hypot(y[1], y[3]), 0.1 * hop);
+    if (w.amplitude > 0.0)
+        return std::min(0.05 / w.frequency, std::max(0.1 * hop, 1e-3 / w.frequency));
+    const double gap = std::max(y[0] - plate(t), 0.0), fall = -rate[1];
+    return std::max((y[1] + std::sqrt(y[1] * y[1] + 2.0 * fall * gap)) / fall, 1e-12);
+}
+
+// Under constant forces; true where it lands on a plate at rest.
+bool Fall::along_parabola(double& h) {
+    double rate[5];
+    rates(t, y, rate);
+    const bool whole = h < t_end - t;
+    const double step = whole ? h : t_end - t;
+    for (int k = 0; k < 4; k += 2) {
+        y[k] += step * (y[k + 1] + 0.5 * step * rate[k + 1]);
+        y[k + 1] += step * rate[k + 1];
+    }
+    t = whole ? t + step : t_end;
+    h = std::min(0.05 / std::max(w.frequency, 1e-9), 2.0 * h);
+    if (whole && w.amplitude == 0.0) y[0] = 0.0;
+    return whole && w.amplitude == 0.0;
+}
+
+// Back to where the gap was `gap`, within the step that began at t0 with state a. Just after a rebound the gap is zero at t0
+// as well: it is looked for behind that.
+void Fall::back_to_gap(double gap, double t0, const double* a) {
+    double ra[5], rb[5], state[5];
+    rates(t0, a, ra);
+    rates(t, y, rb);
+    const double end = root(
+        [&](double at) {
+            between(at, t0, a, ra, t, y, rb, state);
+            return state[0] - plate(at) - gap;
+        },
+        t0 + 1e-6 * (t - t0), t);
+    between(end, t0, a, ra, t, y, rb, state);
+    std::copy(state, state + 5, y);
+    y[0] = plate(end) + gap;
+    t = end;
+}
+
 bool Fall::fly() {
     mark();
-    double start[5];
-    rates(t, y, start);
-    const double hop = std::max(2.0 * std::abs(y[1] - plate_speed(t)) / std::abs(start[1]), 1e-9);
-    double h = first_step(w, s, std::hypot(y[1], y[3]), 0.1 * hop);
-    if (constant()) {
-        double rate[5];
-        rates(t, y, rate);
-        const double gap = y[0] - plate(t), fall = -rate[1];
-        // The whole parabola where the plate is still; pieces of it where it moves.
-        h = w.amplitude > 0.0
-                ? std::min(0.05 / w.frequency, std::max(0.1 * hop, 1e-3 / w.frequency))
-                : (y[1] + std::sqrt(y[1] * y[1] + 2.0 * fall * std::max(gap, 0.0))) / fall;
-        h = std::max(h, 1e-12);
-    }
+    double h = first_try();
     const double v0 = std::abs(y[1]) + std::sqrt(2.0 * s.gravity * std::max(y[0], 0.0)) + 1e-4;
     Stepper stepper(
         [this](double at, const double* state, double* rate) { rates(at, state, rate); },
         {1e-8 * v0, 1e-8 * v0, 1e-8 * v0, 1e-8 * v0, 1e-6}, 1e-8);
     const double widest = w.amplitude > 0.0 ? 0.05 / w.frequency : 0.2 * t_end;
     while (t < t_end) {
-        const double t0 = t, a[5] = {y[0], y[1], y[2], y[3], y[4]};
-        double ra[5], rb[5];
-        rates(t0, a, ra);
+        const double t0 = t, before[5] = {y[0], y[1], y[2], y[3], y[4]};
+        bool touches = false;
         if (constant()) {
-            const double step = std::min(h, t_end - t);
-            for (int k = 0; k < 4; k += 2) {
-                y[k] += step * (y[k + 1] + 0.5 * step * ra[k + 1]);
-                y[k + 1] += step * ra[k + 1];
-            }
-            t += step;
-            if (w.amplitude == 0.0 && t < t_end) {
-                y[0] = 0.0;
-                mark();
-                return true;
-            }
-            h = std::min(0.05 / std::max(w.frequency, 1e-9), 2.0 * h);
+            touches = along_parabola(h);
         } else {
             h = std::min(h, widest);
             stepper.advance(t, t_end, h, y);
         }
-        rates(t, y, rb);
-        const double limit = wet ? rupture_gap(w) : -1.0;
-        // Just after a rebound the gap is zero at t0 as well: begin behind it.
-        const auto passes = [&](const auto& value) {
-            return root(
-                [&](double at) {
-                    double state[5];
-                    between(at, t0, a, ra, t, y, rb, state);
-                    return value(state[0] - plate(at));
-                },
-                t0 + 1e-6 * (t - t0), t);
-        };
-        if (y[0] < plate(t)) {
-            const double end = passes([](double gap) { return gap; });
-            double state[5];
-            between(end, t0, a, ra, t, y, rb, state);
-            std::copy(state, state + 5, y);
-            y[0] = plate(end);
-            t = end;
-            mark();
-            return true;
-        }
-        if (wet && y[0] - plate(t) > limit) {
-            const double end = passes([limit](double gap) { return gap - limit; });
-            double state[5];
-            between(end, t0, a, ra, t, y, rb, state);
-            std::copy(state, state + 5, y);
-            t = end;
+        if (!touches && y[0] < plate(t)) {
+            back_to_gap(0.0, t0, before);
+            touches = true;
+        } else if (wet && y[0] - plate(t) > rupture_gap(w)) {
+            back_to_gap(rupture_gap(w), t0, before);
             wet = false;
             return fly();  // other rates from here on
         }
         mark();
+        if (touches) return true;
     }
     return false;
 }
