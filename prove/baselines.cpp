@@ -92,6 +92,66 @@ void name(Verdict& v, const Seen& s, const Model& m) {
     v.held_out_extended = mean_nrmse(later, predict(m.fit.world, later), s.unseen);
 }
 
+// Whitened change of the recordings by each free parameter of the model, then by each term at its weakest start.
+Eigen::MatrixXd derivatives(const Seen& s, const std::vector<Term>& all, const Fit& begin) {
+    const Eigen::VectorXd here = predict(begin.world, begin.setups);
+    const std::vector<Unknown> base = base_unknowns(s.sk, s.list);
+    const Eigen::Index fixed = static_cast<Eigen::Index>(base.size());
+    Eigen::MatrixXd columns(here.size(), fixed + static_cast<Eigen::Index>(all.size()));
+    for (Eigen::Index k = 0; k < fixed; ++k) {
+        Fit moved = begin;
+        const Unknown& u = base[static_cast<std::size_t>(k)];
+        moved.theta[k] += 1e-4 * (u.high - u.low);
+        put(base, moved.theta, moved.world, moved.setups);
+        columns.col(k) = whitened(begin.setups, {}, predict(moved.world, moved.setups) - here);
+    }
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        World w = begin.world;
+        enable(all[k], w);
+        std::vector<Setup> setups = begin.setups;
+        Eigen::VectorXd start(static_cast<Eigen::Index>(all[k].unknowns.size()));
+        for (Eigen::Index i = 0; i < start.size(); ++i)
+            start[i] = all[k].unknowns[static_cast<std::size_t>(i)].starts.front();
+        put(all[k].unknowns, start, w, setups);
+        columns.col(fixed + static_cast<Eigen::Index>(k)) =
+            whitened(begin.setups, {}, predict(w, setups) - here);
+    }
+    return columns;
+}
+
+// Columns that stay, with their coefficients; the first `fixed` always do.
+std::vector<std::pair<Eigen::Index, double>> thresholded(Eigen::MatrixXd columns,
+                                                         const Eigen::VectorXd& residual,
+                                                         Eigen::Index fixed) {
+    std::vector<Eigen::Index> active;
+    for (Eigen::Index k = 0; k < columns.cols(); ++k) {
+        const double length = columns.col(k).norm();
+        if (!(length > 1e-9) || !std::isfinite(length)) continue;
+        columns.col(k) /= length;
+        active.push_back(k);
+    }
+    std::vector<std::pair<Eigen::Index, double>> kept;
+    for (int round = 0; round < 20 && !active.empty(); ++round) {
+        Eigen::MatrixXd x(columns.rows(), static_cast<Eigen::Index>(active.size()));
+        for (std::size_t k = 0; k < active.size(); ++k)
+            x.col(static_cast<Eigen::Index>(k)) = columns.col(active[k]);
+        const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> factors(x);
+        const Eigen::VectorXd coefficients = factors.solve(residual);
+        const Eigen::MatrixXd inverse = factors.pseudoInverse();
+        kept.clear();
+        for (std::size_t k = 0; k < active.size(); ++k) {
+            const Eigen::Index row = static_cast<Eigen::Index>(k);
+            const double error = inverse.row(row).norm();
+            if (active[k] < fixed || std::abs(coefficients[row]) > 3.0 * error)
+                kept.emplace_back(active[k], coefficients[row]);
+        }
+        if (kept.size() == active.size()) break;
+        active.clear();
+        for (const auto& [column, coefficient] : kept) active.push_back(column);
+    }
+    return kept;
+}
+
 }  // namespace
 
 Verdict bic_verdict(const BlindCase& blind) {
@@ -131,61 +191,15 @@ Verdict sparse_verdict(const BlindCase& blind) {
     const Seen s = seen_of(blind);
     const std::vector<Term> all = terms(s.sk.stated, s.sk.physics);
     const Fit begin = base_fit(s.sk, s.list, s.recorded);
-    const std::vector<Setup> setups = chosen(s.sk.stated, s.list);
-    const Eigen::VectorXd here = predict(begin.world, begin.setups);
-    const Eigen::VectorXd residual = whitened(setups, {}, s.recorded - here);
-    const std::vector<Unknown> base = base_unknowns(s.sk, s.list);
-    const Eigen::Index fixed = static_cast<Eigen::Index>(base.size());
-    Eigen::MatrixXd columns(here.size(), fixed + static_cast<Eigen::Index>(all.size()));
-    for (Eigen::Index k = 0; k < fixed; ++k) {
-        Fit moved = begin;
-        const Unknown& u = base[static_cast<std::size_t>(k)];
-        moved.theta[k] += 1e-4 * (u.high - u.low);
-        put(base, moved.theta, moved.world, moved.setups);
-        columns.col(k) = whitened(setups, {}, predict(moved.world, moved.setups) - here);
-    }
-    for (std::size_t k = 0; k < all.size(); ++k) {
-        World w = begin.world;
-        enable(all[k], w);
-        std::vector<Setup> copy = begin.setups;
-        Eigen::VectorXd start(static_cast<Eigen::Index>(all[k].unknowns.size()));
-        for (Eigen::Index i = 0; i < start.size(); ++i)
-            start[i] = all[k].unknowns[static_cast<std::size_t>(i)].starts.front();
-        put(all[k].unknowns, start, w, copy);
-        columns.col(fixed + static_cast<Eigen::Index>(k)) =
-            whitened(setups, {}, predict(w, copy) - here);
-    }
-    // Each column to unit length; what does nothing stays out.
-    std::vector<Eigen::Index> active;
-    for (Eigen::Index k = 0; k < columns.cols(); ++k) {
-        const double length = columns.col(k).norm();
-        if (!(length > 1e-9) || !std::isfinite(length)) continue;
-        columns.col(k) /= length;
-        active.push_back(k);
-    }
-    Eigen::VectorXd coefficients;
-    for (int round = 0; round < 20 && !active.empty(); ++round) {
-        Eigen::MatrixXd x(columns.rows(), static_cast<Eigen::Index>(active.size()));
-        for (std::size_t k = 0; k < active.size(); ++k)
-            x.col(static_cast<Eigen::Index>(k)) = columns.col(active[k]);
-        const auto qr = x.completeOrthogonalDecomposition();
-        coefficients = qr.solve(residual);
-        const Eigen::MatrixXd inverse = qr.pseudoInverse();
-        std::vector<Eigen::Index> kept;
-        for (std::size_t k = 0; k < active.size(); ++k) {
-            const Eigen::Index row = static_cast<Eigen::Index>(k);
-            const double error = inverse.row(row).norm();
-            if (active[k] < fixed || std::abs(coefficients[row]) > 3.0 * error)
-                kept.push_back(active[k]);
-        }
-        if (kept.size() == active.size()) break;
-        active = kept;
-    }
+    const Eigen::VectorXd residual =
+        whitened(begin.setups, {}, s.recorded - predict(begin.world, begin.setups));
+    const Eigen::Index fixed = static_cast<Eigen::Index>(base_unknowns(s.sk, s.list).size());
     std::vector<std::pair<double, std::string>> found;
-    for (std::size_t k = 0; k < active.size(); ++k)
-        if (active[k] >= fixed)
-            found.emplace_back(-std::abs(coefficients[static_cast<Eigen::Index>(k)]),
-                               all[static_cast<std::size_t>(active[k] - fixed)].effect);
+    for (const auto& [column, coefficient] :
+         thresholded(derivatives(s, all, begin), residual, fixed))
+        if (column >= fixed)
+            found.emplace_back(-std::abs(coefficient),
+                               all[static_cast<std::size_t>(column - fixed)].effect);
     std::sort(found.begin(), found.end());
     if (found.size() > 2) found.resize(2);
     Verdict v{.verdict = found.empty() ? "consistent" : "explained"};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "prove/collision.hpp"
 
+#include "prove/path.hpp"
 #include "prove/stepper.hpp"
 
 #include <algorithm>
@@ -11,7 +12,7 @@ namespace prove {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr int course_steps = 90;
+constexpr int course_steps = 240;
 
 struct State {
     double x, v;
@@ -32,10 +33,27 @@ State runge_kutta(const State& y, double h, double f) {
             y.v + h / 6.0 * (a.v + 2.0 * b.v + 2.0 * c.v + d.v)};
 }
 
+// In units of L/v, from touch to zero overlap.
+double hertz_duration_for(double f) {
+    // A weak rebound takes long to leave: steps grow with the duration.
+    const double h = 0.04 * (1.0 + 0.6 * f);
+    State y{0.0, 1.0};
+    double t = 0.0;
+    for (int k = 0; k < 4000; ++k, t += h) {
+        const State next = runge_kutta(y, h, f);
+        if (next.x <= 0.0 && y.v < 0.0)
+            return t + root([&](double part) { return runge_kutta(y, part, f).x; }, 1e-3 * h, h);
+        y = next;
+    }
+    return t;
+}
+
 double clipped(double value, double limit) { return std::clamp(value, -limit, limit); }
 
-// Impulse of the capped force over the contact, N s.
-double cap_impulse(const NormalContact& c) {
+// Impulse of the force that friction multiplies, N s. Without adhesion it is what turns v into -e v: the dashpot's own impulse,
+// over x^0.25 x', comes to nothing.
+double cap_impulse(const World& w, const Setup& s, const NormalContact& c) {
+    if (w.work_of_adhesion <= 0.0) return s.mass() * (c.nodes.front().rate + c.rebound);
     double sum = 0.0;
     for (std::size_t k = 1; k < c.nodes.size(); ++k)
         sum += 0.5 * (c.nodes[k].cap + c.nodes[k - 1].cap) * (c.nodes[k].t - c.nodes[k - 1].t);
@@ -88,7 +106,14 @@ Slip with_micro_slip(const World& w, const Setup& s, const NormalContact& c, Sli
     for (std::size_t k = 1; k < c.nodes.size(); ++k) {
         const ContactNode &a = c.nodes[k - 1], &b = c.nodes[k];
         const double h = b.t - a.t;
-        const double radius = 0.5 * (a.radius + b.radius), cap = 0.5 * (a.cap + b.cap);
+        double radius = 0.5 * (a.radius + b.radius), cap = 0.5 * (a.cap + b.cap);
+        if (w.work_of_adhesion <= 0.0) {
+            // Hertz at the middle of the step, by the cubic through both ends.
+            const double d =
+                std::max(0.0, 0.5 * (a.overlap + b.overlap) + 0.125 * h * (a.rate - b.rate));
+            radius = std::sqrt(s.r_star() * d);
+            cap = 4.0 / 3.0 * s.e_star() * radius * d;
+        }
         const double u = y.velocity - r * y.spin;
         const double mu = friction_at(w, u), limit = mu * cap;
         const double k_t = stiffness * radius, c_t = c.damping_factor * std::sqrt(k_t * m);
@@ -116,15 +141,9 @@ Slip with_micro_slip(const World& w, const Setup& s, const NormalContact& c, Sli
     return y;
 }
 
-ContactNode node_at(const World& w, const Setup& s, const Jkr* jkr, double t, double overlap,
-                    double rate) {
-    if (jkr == nullptr) {
-        const double d = std::max(overlap, 0.0), a = std::sqrt(s.r_star() * d);
-        return {t, overlap, rate, a, 4.0 / 3.0 * s.e_star() * a * d};
-    }
-    (void)w;
-    const double a = jkr->radius(std::max(overlap, jkr->fold()));
-    return {t, overlap, rate, a, std::max(0.0, jkr->force(a) + 2.0 * jkr->pull_off_force())};
+ContactNode node_at(const Jkr& law, double t, double overlap, double rate) {
+    const double a = law.radius(std::max(overlap, law.fold()));
+    return {t, overlap, rate, a, std::max(0.0, law.force(a) + 2.0 * law.pull_off_force())};
 }
 
 }  // namespace
@@ -152,27 +171,19 @@ double friction_at(const World& w, double slip) {
 }
 
 std::vector<ContactNode> hertz_course(double restitution) {
-    const double f = damping_factor(restitution);
-    // A weak rebound takes long to leave: steps grow with the duration.
-    const double h = 3.3 / course_steps * (1.0 + 0.6 * f);
+    const double f = damping_factor(restitution), duration = hertz_duration_for(f);
     std::vector<ContactNode> nodes{{0.0, 0.0, 1.0, 0.0, 0.0}};
     State y{0.0, 1.0};
     double t = 0.0;
-    for (int k = 0; k < 40 * course_steps; ++k) {
-        const State next = runge_kutta(y, h, f);
-        if (next.x <= 0.0 && y.v < 0.0) {
-            const double left =
-                root([&](double part) { return runge_kutta(y, part, f).x; }, 1e-3 * h, h);
-            t += left;
-            nodes.push_back({t, 0.0, -restitution, 0.0, 0.0});
-            return nodes;
-        }
-        y = next;
-        t += h;
-        nodes.push_back(
-            {t, y.x, y.v, std::sqrt(std::max(y.x, 0.0)), y.x > 0.0 ? y.x * std::sqrt(y.x) : 0.0});
+    // Closer at both ends, where spring and dashpot come and go with infinite slope.
+    for (int k = 1; k < course_steps; ++k) {
+        const double at = 0.5 * duration * (1.0 - std::cos(pi * k / course_steps));
+        y = runge_kutta(y, at - t, f);
+        t = at;
+        const double x = std::max(y.x, 0.0);
+        nodes.push_back({t, y.x, y.v, std::sqrt(x), x * std::sqrt(x)});
     }
-    nodes.push_back({t, 0.0, -restitution, 0.0, 0.0});
+    nodes.push_back({duration, 0.0, -restitution, 0.0, 0.0});
     return nodes;
 }
 
@@ -193,57 +204,54 @@ NormalContact scaled_course(const Setup& s, const std::vector<ContactNode>& cour
     return c;
 }
 
-NormalContact normal_contact(const World& w, const Setup& s, double v, double e, double pull) {
-    if (w.work_of_adhesion <= 0.0 && pull <= 0.0) return scaled_course(s, hertz_course(e), v, e);
+NormalContact adhesive_contact(const World& w, const Setup& s, double v, double e) {
     const Jkr law{s.e_star(), s.r_star(), w.work_of_adhesion};
-    const Jkr* jkr = w.work_of_adhesion > 0.0 ? &law : nullptr;
-    const double m = s.mass(), end = jkr ? jkr->fold() : 0.0;
+    const double m = s.mass(), end = law.fold();
     NormalContact c;
     c.damping_factor = damping_factor(e);
     const double stiffness = 4.0 / 3.0 * s.e_star() * std::sqrt(s.r_star());
-    const double length = std::max(std::pow(m * v * v / stiffness, 0.4), jkr ? -jkr->fold() : 0.0);
+    const double length = std::max(std::pow(m * v * v / stiffness, 0.4), -end);
     const double time = std::min(length / v, std::sqrt(m / (stiffness * std::sqrt(length))));
     const auto rates = [&](double, const double* y, double* rate) {
-        const double d = std::max(y[0], end);
-        const double a = jkr ? jkr->radius(d) : std::sqrt(s.r_star() * std::max(d, 0.0));
-        const double f = jkr ? jkr->force(a) : 4.0 / 3.0 * s.e_star() * a * std::max(d, 0.0);
+        const double a = law.radius(std::max(y[0], end));
         const double dashpot = c.damping_factor * std::sqrt(2.0 * s.e_star() * a * m);
         rate[0] = y[1];
-        rate[1] = (pull - f - dashpot * y[1]) / m;
+        rate[1] = -(law.force(a) + dashpot * y[1]) / m;
     };
-    Stepper stepper(rates, {1e-7 * length, 1e-7 * v}, 1e-6);
-    double t = 0.0, h = 0.01 * time, y[2] = {0.0, v}, before[3];
-    c.nodes.push_back(node_at(w, s, jkr, 0.0, 0.0, v));
+    Stepper stepper(rates, {1e-8 * length, 1e-8 * v}, 1e-7);
+    double t = 0.0, h = 0.01 * time, y[2] = {0.0, v}, before[2], rate0[2], rate[2];
+    c.nodes.push_back(node_at(law, 0.0, 0.0, v));
     bool outward = false;
-    for (int k = 0; k < 4000; ++k) {
-        before[0] = t, before[1] = y[0], before[2] = y[1];
+    for (int k = 0; k < 4000 && !c.stuck; ++k) {
+        const double t0 = t;
+        before[0] = y[0], before[1] = y[1];
+        rates(t0, before, rate0);
         h = std::min(h, 0.08 * time);
         stepper.advance(t, t + time, h, y);
         if (y[0] <= end && y[1] < 0.0) {
-            // Straight line back to the end of the contact: the step is a hundredth of it.
-            const double share = (before[1] - end) / (before[1] - y[0]);
-            t = before[0] + share * (t - before[0]);
-            y[1] = before[2] + share * (y[1] - before[2]);
-            y[0] = end;
-            c.rebound = -y[1];
+            rates(t, y, rate);
+            const auto way = [&](double at) {
+                return quintic(at, t0, before[0], rate0[0], rate0[1], t, y[0], rate[0], rate[1]);
+            };
+            t = root([&](double at) { return way(at).value - end; }, t0, t);
+            c.rebound = -way(t).slope;
+            y[0] = end, y[1] = -c.rebound;
             break;
         }
-        c.nodes.push_back(node_at(w, s, jkr, t, y[0], y[1]));
+        c.nodes.push_back(node_at(law, t, y[0], y[1]));
         if (y[1] < 0.0) outward = true;
-        if (outward && y[1] > 0.0) {
-            c.stuck = true;
-            break;
-        }
+        c.stuck = outward && y[1] > 0.0;
     }
-    if (c.rebound <= 0.0) c.stuck = true;
-    c.nodes.push_back(node_at(w, s, jkr, t, y[0], y[1]));
+    c.stuck = c.stuck || c.rebound <= 0.0;
+    c.nodes.push_back(node_at(law, t, y[0], y[1]));
     c.duration = t;
     return c;
 }
 
 Slip after_contact(const World& w, const Setup& s, const NormalContact& c, Slip before) {
     if (w.sliding_friction <= 0.0 && w.rolling_friction <= 0.0) return before;
-    return w.micro_slip ? with_micro_slip(w, s, c, before) : rigid(w, s, cap_impulse(c), before);
+    return w.micro_slip ? with_micro_slip(w, s, c, before)
+                        : rigid(w, s, cap_impulse(w, s, c), before);
 }
 
 // With L^3 = pi w R^2/(2 E*) and s = sqrt(a/L): overlap R/L^2 = s^4 - 2 s. Fold at s^3 = 1/2.

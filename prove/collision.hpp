@@ -2,7 +2,7 @@
 // One impact of a grain with the plate.
 //   normal      by definition: away at e times the speed. Hertz with a dashpot of this e gives the course in between, in one
 //               dimensionless form for all speeds: x'' = -x^1.5 - f sqrt(1.5) x^0.25 x', f = sqrt(10/3) beta(e) (Tsuji, Tanaka &
-//               Ishida 1992). With adhesion or any pull the equation is integrated with it (GSL), and the grain may stick.
+//               Ishida 1992). With adhesion the equation is integrated with JKR's force (GSL), and the grain may stick.
 //   tangential  rigid Coulomb: closed form of Walton (1993) in the impulse; or micro-slip: a spring 8 G* a with slider and
 //               dashpot, (7/2)/m of its force on the slip.
 // Unit of time L/v, of length L = (m v^2/K)^(2/5), K = 4/3 E* sqrt(R).
@@ -40,10 +40,9 @@ double friction_at(const World&, double slip);
 // The dimensionless course for one e: nodes with unit K, m, v; the last one at overlap 0.
 std::vector<ContactNode> hertz_course(double restitution);
 
-// `pull` is a constant force into the plate, N (weight left out where it is small beside the impact).
-NormalContact normal_contact(const World&, const Setup&, double normal_speed, double restitution,
-                             double pull);
-// The same without pull and adhesion, from a course made before.
+// With JKR adhesion: born at touch, ends at the fold; the grain may stick.
+NormalContact adhesive_contact(const World&, const Setup&, double normal_speed, double restitution);
+// Without, from a course made before.
 NormalContact scaled_course(const Setup&, const std::vector<ContactNode>& course,
                             double normal_speed, double restitution);
 

@@ -6,9 +6,12 @@
 #include "prove/stepper.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
+#include <vector>
 
 namespace prove {
 namespace {
@@ -52,57 +55,81 @@ double fold(const World& w, const Setup& s) {
     return -Jkr{s.e_star(), s.r_star(), w.work_of_adhesion}.fold();
 }
 
-// `held`: the branch that was in contact.
-double force(const World& w, const Setup& s, double separation, bool held) {
-    const bool touches = separation <= (held ? fold(w, s) : 0.0);
-    const bool wet = separation <= 0.0 || (held && separation < rupture_gap(w));
-    World dry = w;
-    if (w.kind == Outside::magnet) dry.kind = Outside::none;
-    double f = -attraction(dry, s, separation, wet) + strange(w, s, separation);
-    return f + (touches ? in_contact(w, s, separation) : -tail(w, s, separation));
+enum class State { contact, bridged, free };
+
+double force(const World& w, const Setup& s, double separation, State state) {
+    World bare = w;
+    if (w.kind == Outside::magnet) bare.kind = Outside::none;
+    // In contact the gap is 0, even where a neck of JKR reaches beyond the surface.
+    const double gap = state == State::contact ? 0.0 : separation;
+    const double f = -attraction(bare, s, gap, state != State::free) + strange(w, s, separation);
+    return f + (state == State::contact ? in_contact(w, s, separation) : -tail(w, s, separation));
 }
 
-// Separations at the drive's positions. The drive's position that belongs to a separation, s + F(s)/k, is laid out on a grid
-// that is fine at the plate; the state is the first crossing seen from the side that it comes from.
+// Where the separation is known: in contact up to the fold on the way out, from touch on the way in.
+State state_at(const World& w, const Setup& s, double separation, bool retract) {
+    if (separation <= (retract ? fold(w, s) : 0.0)) return State::contact;
+    return retract && w.surface_tension > 0.0 && separation < rupture_gap(w) ? State::bridged
+                                                                             : State::free;
+}
+
+// A force bends the spring: the drive's position that belongs to a separation is s - F(s)/k; where that rises the grain is stable. On the
+// way in the grain is free as long as it can be, on the way out it holds on as long as it can: contact, then the bridge.
 class Cantilever {
   public:
-    Cantilever(const World& w, const Setup& s, bool held) : w_(w), s_(s), held_(held) {
+    Cantilever(const World& w, const Setup& s) : w_(w), s_(s) {
         const double edge = fold(w, s);
         const double deep = std::pow(s.preload / (s.e_star() * std::sqrt(s.r_star())), 2.0 / 3.0);
         const double unit = std::max({deep, edge, 1e-9});
         double far = 4.0 * unit;
         for (const double drive : s.at) far = std::max(far, 2.0 * std::abs(drive) + 4.0 * unit);
-        for (int n = 60; n >= 1; --n) add(-4.0 * unit * std::pow(n / 60.0, 2));
-        add(0.0);
-        for (int n = 1; edge > 0.0 && n <= 12; ++n) add(edge * (n - 1e-9) / 12.0);
-        if (edge > 0.0) add(edge * (1.0 + 1e-9));
-        for (double h = closest; h < far; h *= 1.35) add(edge + h);
-        add(edge + far);
+        for (int n = 60; n >= 1; --n) add(State::contact, -6.0 * unit * std::pow(n / 60.0, 2));
+        for (int n = 0; n <= 24; ++n) add(State::contact, edge * n / 24.0);
+        for (double h = 0.1 * closest; h < far; h *= 1.3) {
+            add(State::free, h);
+            if (w.surface_tension > 0.0 && h < rupture_gap(w)) add(State::bridged, h);
+        }
+        if (w.surface_tension > 0.0) add(State::bridged, rupture_gap(w));
+        add(State::free, far);
     }
 
-    double separation(double drive) const {
-        const auto excess = [&](double at) { return drive_at(at) - drive; };
-        const std::size_t last = grid_.size() - 1;
-        for (std::size_t k = 0; k < last; ++k) {
-            const std::size_t n = held_ ? k : last - 1 - k;
-            if (drive_[n] <= drive && drive_[n + 1] > drive)
-                return root(excess, grid_[n], grid_[n + 1]);
+    double force_at(double drive, bool retract) const {
+        const State in[] = {State::free, State::contact};
+        const State out[] = {State::contact, State::bridged, State::free};
+        std::optional<double> separation;
+        for (const State state : std::span(retract ? out : in, retract ? 3u : 2u)) {
+            separation = stable(drive, state);
+            if (separation) return force(w_, s_, *separation, state);
         }
-        return drive;
+        return 0.0;
     }
 
   private:
-    double drive_at(double separation) const {
-        return separation + force(w_, s_, separation, held_) / s_.cantilever_stiffness;
+    struct Branch {
+        std::vector<double> separation, drive;
+    };
+    double drive_at(double separation, State state) const {
+        return separation - force(w_, s_, separation, state) / s_.cantilever_stiffness;
     }
-    void add(double separation) {
-        grid_.push_back(separation);
-        drive_.push_back(drive_at(separation));
+    void add(State state, double separation) {
+        Branch& b = branches_[static_cast<std::size_t>(state)];
+        b.separation.push_back(separation);
+        b.drive.push_back(drive_at(separation, state));
+    }
+    // Free: the outermost one; else the innermost.
+    std::optional<double> stable(double drive, State state) const {
+        const Branch& b = branches_[static_cast<std::size_t>(state)];
+        for (std::size_t k = 0; k + 1 < b.drive.size(); ++k) {
+            const std::size_t n = state == State::free ? b.drive.size() - 2 - k : k;
+            if (b.drive[n] > drive || b.drive[n + 1] <= drive) continue;
+            return root([&](double at) { return drive_at(at, state) - drive; }, b.separation[n],
+                        b.separation[n + 1]);
+        }
+        return std::nullopt;
     }
     const World& w_;
     const Setup& s_;
-    bool held_;
-    std::vector<double> grid_{}, drive_{};
+    std::array<Branch, 3> branches_{};
 };
 
 }  // namespace
@@ -111,15 +138,15 @@ std::vector<double> pull_off(const World& w, const Setup& s) {
     std::vector<double> all(s.at.size());
     const double middle = 0.5 * (*std::min_element(s.at.begin(), s.at.end()) +
                                  *std::max_element(s.at.begin(), s.at.end()));
-    std::optional<Cantilever> in, out;
-    if (s.cantilever_stiffness > 0.0) in.emplace(w, s, false), out.emplace(w, s, true);
+    std::optional<Cantilever> cantilever;
+    if (s.cantilever_stiffness > 0.0) cantilever.emplace(w, s);
     for (std::size_t k = 0; k < s.at.size(); ++k) {
-        const bool held = s.retract[k];
-        double separation = s.at[k];
-        if (in) separation = (held ? out : in)->separation(s.at[k]);
-        all[k] = force(w, s, separation, held);
-        if (s.cantilever_stiffness > 0.0)
-            all[k] += s.base_line + s.base_line_slope * (s.at[k] - middle);
+        if (cantilever) {
+            all[k] = cantilever->force_at(s.at[k], s.retract[k]) + s.base_line +
+                     s.base_line_slope * (s.at[k] - middle);
+        } else {
+            all[k] = force(w, s, s.at[k], state_at(w, s, s.at[k], s.retract[k]));
+        }
     }
     return all;
 }

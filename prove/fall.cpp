@@ -68,6 +68,9 @@ struct Fall {
         rates(t, y, rate);
         path.add({t, y[0], y[1], rate[1], y[2], y[3], rate[3], y[4], 0.0});
     }
+    double first_try() const;
+    bool along_parabola(double& h);
+    void back_to_gap(double gap, double t0, const double* a);
     bool fly();     // to the next touch; false where t_end came first
     bool bounce();  // false where the grain stays
     void lie();     // from here to t_end
@@ -83,80 +86,79 @@ void between(double at, double t0, const double* a, const double* ra, double t1,
     state[4] = a[4];
 }
 
+// The step to try first: a tenth of the hop; for a parabola over a plate at rest all of it.
+double Fall::first_try() const {
+    double rate[5];
+    rates(t, y, rate);
+    const double hop = std::max(2.0 * std::abs(y[1] - plate_speed(t)) / std::abs(rate[1]), 1e-9);
+    if (!constant()) return first_step(w, s, std::hypot(y[1], y[3]), 0.1 * hop);
+    if (w.amplitude > 0.0)
+        return std::min(0.05 / w.frequency, std::max(0.1 * hop, 1e-3 / w.frequency));
+    const double gap = std::max(y[0] - plate(t), 0.0), fall = -rate[1];
+    return std::max((y[1] + std::sqrt(y[1] * y[1] + 2.0 * fall * gap)) / fall, 1e-12);
+}
+
+// Under constant forces; true where it lands on a plate at rest.
+bool Fall::along_parabola(double& h) {
+    double rate[5];
+    rates(t, y, rate);
+    const bool whole = h < t_end - t;
+    const double step = whole ? h : t_end - t;
+    for (int k = 0; k < 4; k += 2) {
+        y[k] += step * (y[k + 1] + 0.5 * step * rate[k + 1]);
+        y[k + 1] += step * rate[k + 1];
+    }
+    t = whole ? t + step : t_end;
+    h = std::min(0.05 / std::max(w.frequency, 1e-9), 2.0 * h);
+    if (whole && w.amplitude == 0.0) y[0] = 0.0;
+    return whole && w.amplitude == 0.0;
+}
+
+// Back to where the gap was `gap`, within the step that began at t0 with state a. Just after a rebound the gap is zero at t0
+// as well: it is looked for behind that.
+void Fall::back_to_gap(double gap, double t0, const double* a) {
+    double ra[5], rb[5], state[5];
+    rates(t0, a, ra);
+    rates(t, y, rb);
+    const double end = root(
+        [&](double at) {
+            between(at, t0, a, ra, t, y, rb, state);
+            return state[0] - plate(at) - gap;
+        },
+        t0 + 1e-6 * (t - t0), t);
+    between(end, t0, a, ra, t, y, rb, state);
+    std::copy(state, state + 5, y);
+    y[0] = plate(end) + gap;
+    t = end;
+}
+
 bool Fall::fly() {
     mark();
-    double start[5];
-    rates(t, y, start);
-    const double hop = std::max(2.0 * std::abs(y[1] - plate_speed(t)) / std::abs(start[1]), 1e-9);
-    double h = first_step(w, s, std::hypot(y[1], y[3]), 0.1 * hop);
-    if (constant()) {
-        double rate[5];
-        rates(t, y, rate);
-        const double gap = y[0] - plate(t), fall = -rate[1];
-        // The whole parabola where the plate is still; pieces of it where it moves.
-        h = w.amplitude > 0.0
-                ? std::min(0.05 / w.frequency, std::max(0.1 * hop, 1e-3 / w.frequency))
-                : (y[1] + std::sqrt(y[1] * y[1] + 2.0 * fall * std::max(gap, 0.0))) / fall;
-        h = std::max(h, 1e-12);
-    }
+    double h = first_try();
     const double v0 = std::abs(y[1]) + std::sqrt(2.0 * s.gravity * std::max(y[0], 0.0)) + 1e-4;
     Stepper stepper(
         [this](double at, const double* state, double* rate) { rates(at, state, rate); },
         {1e-8 * v0, 1e-8 * v0, 1e-8 * v0, 1e-8 * v0, 1e-6}, 1e-8);
     const double widest = w.amplitude > 0.0 ? 0.05 / w.frequency : 0.2 * t_end;
     while (t < t_end) {
-        const double t0 = t, a[5] = {y[0], y[1], y[2], y[3], y[4]};
-        double ra[5], rb[5];
-        rates(t0, a, ra);
+        const double t0 = t, before[5] = {y[0], y[1], y[2], y[3], y[4]};
+        bool touches = false;
         if (constant()) {
-            const double step = std::min(h, t_end - t);
-            for (int k = 0; k < 4; k += 2) {
-                y[k] += step * (y[k + 1] + 0.5 * step * ra[k + 1]);
-                y[k + 1] += step * ra[k + 1];
-            }
-            t += step;
-            if (w.amplitude == 0.0 && t < t_end) {
-                y[0] = 0.0;
-                mark();
-                return true;
-            }
-            h = std::min(0.05 / std::max(w.frequency, 1e-9), 2.0 * h);
+            touches = along_parabola(h);
         } else {
             h = std::min(h, widest);
             stepper.advance(t, t_end, h, y);
         }
-        rates(t, y, rb);
-        const double limit = wet ? rupture_gap(w) : -1.0;
-        // Just after a rebound the gap is zero at t0 as well: begin behind it.
-        const auto passes = [&](const auto& value) {
-            return root(
-                [&](double at) {
-                    double state[5];
-                    between(at, t0, a, ra, t, y, rb, state);
-                    return value(state[0] - plate(at));
-                },
-                t0 + 1e-6 * (t - t0), t);
-        };
-        if (y[0] < plate(t)) {
-            const double end = passes([](double gap) { return gap; });
-            double state[5];
-            between(end, t0, a, ra, t, y, rb, state);
-            std::copy(state, state + 5, y);
-            y[0] = plate(end);
-            t = end;
-            mark();
-            return true;
-        }
-        if (wet && y[0] - plate(t) > limit) {
-            const double end = passes([limit](double gap) { return gap - limit; });
-            double state[5];
-            between(end, t0, a, ra, t, y, rb, state);
-            std::copy(state, state + 5, y);
-            t = end;
+        if (!touches && y[0] < plate(t)) {
+            back_to_gap(0.0, t0, before);
+            touches = true;
+        } else if (wet && y[0] - plate(t) > rupture_gap(w)) {
+            back_to_gap(rupture_gap(w), t0, before);
             wet = false;
             return fly();  // other rates from here on
         }
         mark();
+        if (touches) return true;
     }
     return false;
 }
@@ -169,13 +171,13 @@ bool Fall::bounce() {
     const double well = 2.0 * surface_well(w, s) / s.mass();
     v = std::sqrt(v * v + well);
     const double e = restitution_at(w, v, std::atan2(std::abs(y[3]), v));
-    const double pull = attraction(w, s, 0.0, wet);
+    // Weight, bridge and charge take no part in the microseconds of a contact.
     NormalContact contact;
-    if (pull <= 0.0 && w.work_of_adhesion <= 0.0) {
+    if (w.work_of_adhesion <= 0.0) {
         if (!course || course->first != e) course.emplace(e, hertz_course(e));
         contact = scaled_course(s, course->second, v, e);
     } else {
-        contact = normal_contact(w, s, v, e, pull + s.mass() * weight(t));
+        contact = adhesive_contact(w, s, v, e);
     }
     const Slip out = after_contact(w, s, contact, {y[3], y[4]});
     const double x0 = y[2], mean = 0.5 * (y[3] + out.velocity);
@@ -214,19 +216,22 @@ void Fall::stay_on_plate() {
     const auto lets_go = [&](double at) {
         return -w.amplitude * omega * omega * std::sin(omega * at + w.phase) + g;
     };
-    while (t < t_end) {
-        if (lets_go(t) < 0.0) break;
-        y[0] = plate(t), y[1] = plate_speed(t);
-        path.add({t, y[0], y[1], lets_go(t) - g, y[2], y[3], 0.0, y[4], 0.0});
+    // Along the plate it slides and rolls under its mean load meanwhile.
+    Path along;
+    along.add({t, 0.0, 0.0, 0.0, y[2], y[3], 0.0, y[4], 0.0});
+    Load load = load_on_plane(w, s, 0.0, wet);
+    load.along = weight(t) * leaning;
+    move_on_ground(w, s, load, t_end, along);
+    while (t < t_end && lets_go(t) >= 0.0) {
+        const Point p = along.at(t);
+        y[2] = p.x, y[3] = p.vx, y[4] = p.spin;
+        path.add({t, plate(t), plate_speed(t), lets_go(t) - g, p.x, p.vx, load.along * 5.0 / 7.0,
+                  p.spin, 0.0});
         const double next = std::min(t + step, t_end);
-        y[2] += y[3] * (next - t);
-        if (lets_go(next) < 0.0) {
-            t = root(lets_go, t, next) + 1e-9 / w.frequency;
-            break;
-        }
-        t = next;
+        t = lets_go(next) < 0.0 ? root(lets_go, t, next) + 1e-9 / w.frequency : next;
     }
-    y[0] = plate(t), y[1] = plate_speed(t);
+    const Point p = along.at(t);
+    y[0] = plate(t), y[1] = plate_speed(t), y[2] = p.x, y[3] = p.vx, y[4] = p.spin;
     path.add({t, y[0], y[1], 0.0, y[2], y[3], 0.0, y[4], 0.0});
 }
 

@@ -66,8 +66,11 @@ std::function<void(World&, double)> physical(const Term& t, const Skeleton& sk, 
         };
     }
     if (e == "vibration") {
-        const double frequency = dice.log_uniform(6.0, 60.0), phase = dice.uniform(-pi, pi);
-        const double most = 0.05 * sk.truth.front().height;
+        const double frequency = dice.log_uniform(4.0, 40.0), phase = dice.uniform(-pi, pi);
+        // At most twice the weight: beyond that the bounces are chaos, and nobody could name anything.
+        const double omega = 2.0 * pi * frequency;
+        const double most = std::min(0.05 * sk.truth.front().height,
+                                     2.0 * sk.truth.front().gravity / (omega * omega));
         return [frequency, phase, most](World& w, double s) {
             w.frequency = frequency, w.phase = phase, w.amplitude = most * s;
         };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "prove/skeleton.hpp"
 
+#include "prove/skeleton_draft.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,165 +14,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180.0;
 
-struct Material {
-    double density, youngs_modulus, poisson_ratio;
-};
-
-const std::vector<Material>& grains() {
-    static const std::vector<Material> table{
-        {25.0, 8e6, 0.1},    {60.0, 2e7, 0.2},     {180.0, 5e7, 0.25},    {450.0, 1e9, 0.3},
-        {950.0, 8e8, 0.42},  {1100.0, 3e6, 0.48},  {1050.0, 3.2e9, 0.34}, {1180.0, 3e9, 0.37},
-        {1400.0, 4e9, 0.35}, {2500.0, 63e9, 0.23}, {3900.0, 370e9, 0.22}, {7800.0, 206e9, 0.29}};
-    return table;
-}
-
-const std::vector<Material>& plates() {
-    static const std::vector<Material> table{
-        {2500.0, 70e9, 0.22}, {7800.0, 200e9, 0.28}, {1180.0, 3.1e9, 0.37}, {2700.0, 69e9, 0.33}};
-    return table;
-}
-
-struct Fluid {
-    double density, viscosity;
-};
-
-void draw_surroundings(Setup& s, Dice& dice) {
-    static const std::vector<Fluid> fluids{{1.204, 1.81e-5}, {1.204, 1.81e-5}, {1.184, 1.84e-5},
-                                           {0.166, 1.96e-5}, {1.84, 1.46e-5},  {6.16, 1.52e-5}};
-    static const std::vector<double> gravities{9.81, 9.81, 9.79, 9.82};
-    const Fluid fluid = dice.of(fluids);
-    s.fluid_density = fluid.density, s.fluid_viscosity = fluid.viscosity;
-    s.gravity = dice.of(gravities);
-}
-
-void set_grain(Setup& s, const Material& m) {
-    s.density = m.density, s.youngs_modulus = m.youngs_modulus, s.poisson_ratio = m.poisson_ratio;
-}
-
-// One experiment's condition out of a range that the case spans; broad cases use all of it.
-struct Span {
-    double low, high;
-    double draw(Dice& dice) const { return rounded(dice.log_uniform(low, high), 3); }
-};
-
-Span span_of(Dice& dice, double low, double high, bool broad) {
-    const double factor = broad ? 6.0 : 1.25;
-    const double start = dice.log_uniform(low, std::max(low * 1.0001, high / factor));
-    return {start, std::min(high, start * factor)};
-}
-
-// dt rounded to ten microseconds or to three digits, some rows lost or shifted.
-std::vector<double> times(Dice& dice, double duration, int rows, bool uneven, bool gaps) {
-    const double dt = rounded(duration / rows, 3);
-    std::vector<double> t;
-    for (int k = 0; k <= rows; ++k) {
-        double at = dt * k;
-        if (uneven && k > 0) at += dt * dice.uniform(-0.35, 0.35);
-        if (gaps && k > 0 && k < rows && dice.chance(0.1)) continue;
-        t.push_back(rounded(at, 6));
-    }
-    return t;
-}
-
-struct Draft {
-    Skeleton sk;
-    Dice& dice;
-    bool broad, other_sizes, other_materials, uneven, gaps;
-    int fits, held_out;
-    Setup common;
-    std::vector<Material> materials;
-
-    bool last(int k) const { return k >= fits; }
-    // Diameter and material of experiment k.
-    Setup grain_of(int k) {
-        Setup s = common;
-        s.held_out = last(k);
-        if (other_sizes && k > 0 && (broad || last(k)))
-            s.diameter = rounded(common.diameter * dice.log_uniform(0.45, 2.2), 3);
-        if (other_materials && k > 0 && (broad || last(k))) set_grain(s, dice.of(materials));
-        return s;
-    }
-    int count() const { return fits + held_out; }
-    void state(const char* name, double World::*place, double truth, double free_chance, double low,
-               double high);
-    void uncertain(const char* name, double Setup::*place, double deviation_share, double absolute,
-                   bool not_negative);
-};
-
-void Draft::state(const char* name, double World::*place, double truth, double free_chance,
-                  double low, double high) {
-    sk.world.*place = truth;
-    Stated p{name, place, truth, dice.chance(free_chance), rounded(low, 2), rounded(high, 3),
-             truth};
-    const double width = p.high - p.low;
-    const bool far = dice.chance(0.25);
-    for (int k = 0; k < 50; ++k) {
-        p.start =
-            rounded(far ? dice.uniform(p.low, p.high)
-                        : truth + width * dice.uniform(0.03, 0.2) * (dice.chance(0.5) ? 1.0 : -1.0),
-                    3);
-        const double off = std::abs(p.start - truth);
-        if (p.start > p.low && p.start < p.high && off > (far ? 0.3 : 0.02) * width) break;
-    }
-    p.start = std::clamp(p.start, p.low, p.high);
-    if (!p.free) p.start = truth;
-    sk.parameters.push_back(p);
-}
-
-// The stated value keeps its digits; the true one differs by a draw from the prior.
-void Draft::uncertain(const char* name, double Setup::*place, double deviation_share,
-                      double absolute, bool not_negative) {
-    for (std::size_t e = 0; e < sk.stated.size(); ++e) {
-        const double value = sk.stated[e].*place;
-        const double deviation = rounded(deviation_share * std::abs(value) + absolute, 2);
-        if (!(deviation > 0.0)) continue;
-        double truth = value + deviation * dice.normal();
-        if (not_negative) truth = std::max(truth, 0.2 * value);
-        sk.truth[e].*place = truth;
-        Unknown u{.name = std::string(name) + "@" + sk.stated[e].id};
-        u.in_setup = place;
-        u.experiment = static_cast<int>(e);
-        u.mean = value, u.deviation = deviation;
-        u.low = value - 8.0 * deviation, u.high = value + 8.0 * deviation;
-        if (not_negative) u.low = std::max(u.low, 0.01 * std::abs(value));
-        sk.nuisances.push_back(u);
-    }
-}
-
-Draft begin(Rig rig, Dice& dice) {
-    Draft d{.sk = {},
-            .dice = dice,
-            .broad = dice.chance(0.75),
-            .other_sizes = dice.chance(0.55),
-            .other_materials = dice.chance(0.35),
-            .uneven = dice.chance(0.25),
-            .gaps = dice.chance(0.3),
-            .fits = 2 + static_cast<int>(dice.pick(3)),
-            .held_out = 1 + static_cast<int>(dice.pick(2)),
-            .common = {},
-            .materials = grains()};
-    d.sk.rig = rig;
-    d.common.rig = rig;
-    set_grain(d.common, dice.of(d.materials));
-    const Material plate = dice.of(plates());
-    d.common.plate_youngs_modulus = plate.youngs_modulus;
-    d.common.plate_poisson_ratio = plate.poisson_ratio;
-    draw_surroundings(d.common, dice);
-    d.sk.world.micro_slip = dice.chance(0.5);
-    d.sk.states_noise = dice.chance(0.85);
-    d.sk.states_numerics = dice.chance(0.15);
-    d.sk.hands_over_run = dice.chance(0.5);
-    const double kind = dice.uniform();
-    d.sk.noise.heavy = kind > 0.5 && kind < 0.75;
-    d.sk.noise.correlation = kind >= 0.75 ? rounded(dice.uniform(0.3, 0.9), 2) : 0.0;
-    return d;
-}
-
-void name_law(Skeleton& sk) {
-    sk.physics.push_back(sk.world.micro_slip ? "hertz_mindlin" : "hertz_coulomb");
-}
-
-void fluid_physics(Draft& d) {
+void fluid_physics(SkeletonDraft& d) {
     if (d.dice.chance(0.4)) d.sk.physics.push_back("air_drag"), d.sk.world.drag = 1.0;
     if (d.dice.chance(0.4)) d.sk.physics.push_back("buoyancy"), d.sk.world.buoyancy = 1.0;
 }
@@ -178,7 +22,7 @@ void fluid_physics(Draft& d) {
 std::string id_of(const char* stem, int k) { return fmt::format("{}-{}", stem, k + 1); }
 
 Skeleton drops(Dice& dice) {
-    Draft d = begin(Rig::drop, dice);
+    SkeletonDraft d = begin_skeleton(Rig::drop, dice);
     d.common.diameter = rounded(dice.log_uniform(0.15e-3, 40e-3), 3);
     d.sk.physics = {"gravity"};
     fluid_physics(d);
@@ -200,7 +44,7 @@ Skeleton drops(Dice& dice) {
         if (sideways) s.horizontal_speed = rounded(dice.uniform(0.2, 1.5) * std::sqrt(s.height), 3);
         if (spins) s.spin = rounded(dice.uniform(-1.0, 1.0) * std::sqrt(s.height) / s.diameter, 3);
         const double duration = falls * std::sqrt(2.0 * s.height / s.gravity);
-        s.at = times(dice, duration, rows, d.uneven, d.gaps);
+        s.at = sampling_times(dice, duration, rows, d.uneven, d.gaps);
         s.recorded = {Channel::z};
         if (sideways) s.recorded.push_back(Channel::x);
         d.sk.stated.push_back(s);
@@ -217,7 +61,7 @@ Skeleton drops(Dice& dice) {
 }
 
 Skeleton inclines(Dice& dice) {
-    Draft d = begin(Rig::incline, dice);
+    SkeletonDraft d = begin_skeleton(Rig::incline, dice);
     d.common.diameter = rounded(dice.log_uniform(0.4e-3, 25e-3), 3);
     d.sk.physics = {"gravity"};
     fluid_physics(d);
@@ -242,7 +86,7 @@ Skeleton inclines(Dice& dice) {
         s.speed = rounded(dice.uniform(-0.6, 1.2), 3);
         const double rolls = s.speed / s.radius();
         s.spin = rounded(dice.chance(0.4) ? 0.0 : rolls * dice.uniform(-0.4, 1.6), 3);
-        s.at = times(dice, rounded(dice.uniform(0.3, 1.2), 2), rows, d.uneven, d.gaps);
+        s.at = sampling_times(dice, rounded(dice.uniform(0.3, 1.2), 2), rows, d.uneven, d.gaps);
         s.recorded = {Channel::s};
         if (spin_seen) s.recorded.push_back(Channel::spin);
         d.sk.stated.push_back(s);
@@ -254,7 +98,7 @@ Skeleton inclines(Dice& dice) {
 }
 
 Skeleton impacts(Dice& dice) {
-    Draft d = begin(Rig::impact, dice);
+    SkeletonDraft d = begin_skeleton(Rig::impact, dice);
     d.common.diameter = rounded(dice.log_uniform(0.5e-3, 25e-3), 3);
     name_law(d.sk);
     d.state("restitution", &World::restitution, rounded(dice.uniform(0.35, 0.95), 3), 0.75, 0.1,
@@ -309,7 +153,7 @@ void ordinates(Setup& s, Dice& dice, int rows, double deep, double far, bool une
 }
 
 Skeleton curves(Dice& dice) {
-    Draft d = begin(Rig::pull_off, dice);
+    SkeletonDraft d = begin_skeleton(Rig::pull_off, dice);
     d.common.diameter = rounded(dice.log_uniform(3e-6, 200e-6), 3);
     d.common.grain_on_grain = dice.chance(0.3);
     name_law(d.sk);
@@ -336,7 +180,9 @@ Skeleton curves(Dice& dice) {
         if (driven) {
             s.cantilever_stiffness = stiffness;
             deep += s.preload / stiffness;
-            far = std::max(far, 2.5 * unit / stiffness);
+            const double pull =
+                1.5 * std::numbers::pi * s.r_star() * std::max(0.05, d.sk.world.work_of_adhesion);
+            far = std::max(far, 2.5 * pull / stiffness);
         }
         ordinates(s, dice, rows, deep, far, d.uneven);
         s.recorded = {Channel::force};

@@ -31,6 +31,11 @@ int Stepper::evaluate(double t, const double* y, double* rate, void* self) {
 }
 
 void Stepper::advance(double& t, double until, double& h, double* y) {
+    // What is left of the time may be less than a step can be.
+    if (until - t <= 1e-14 * (std::abs(t) + std::abs(until))) {
+        t = until;
+        return;
+    }
     const int status =
         gsl_odeiv2_evolve_apply(evolve_, control_, step_, &system_, &t, until, &h, y);
     if (status != GSL_SUCCESS || !std::isfinite(y[0]))

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// A blind case in the making.
+#pragma once
+
+#include "prove/blind_case.hpp"
+
+#include <vector>
+
+namespace prove {
+
+struct Draft {
+    Skeleton sk;
+    World world;              // with the secret
+    std::vector<Term> terms;  // concealed
+    Key key;
+    UserRun run{};  // kind numerical
+    bool found = false;
+};
+
+// Fills in the key: names, figures, parameters with the oracle's errors, separation.
+void tell(Draft&, const Plan&, int number);
+// And what the oracle and the base model predict of the held-out recordings (shape of predict() over all experiments).
+void tell_held_out(Draft&, const Eigen::VectorXd& recordings);
+
+}  // namespace prove
