@@ -68,7 +68,10 @@ struct BlindCase {
     Eigen::VectorXd recordings;  // as recorded, shape of predict() over all experiments
 };
 
-BlindCase make_case(std::uint64_t seed, int number);
+// Without figures the key says what is concealed and no more: the files are the same. Throws std::runtime_error where no case
+// of that kind was found.
+enum class Figures { all, none };
+BlindCase make_case(std::uint64_t seed, int number, Figures = Figures::all);
 
 // FOLDER/case-0001/... and KEYS/case-0001.json. Throws std::runtime_error where a file cannot be written.
 void write(const BlindCase&, const std::string& folder, const std::string& keys);

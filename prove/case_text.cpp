@@ -171,7 +171,7 @@ std::string experiment_text(const Setup& s, const Setup& common,
                             bool simulated) {
     std::vector<std::string> parts{
         member("id", json_text(s.id)), member("rig", json_text(to_string(s.rig))),
-        member("conditions", "{" + joined(conditions(s, nuisances, index), ", ") + "}")};
+        member("conditions", fmt::format("{{{}}}", joined(conditions(s, nuisances, index), ", ")))};
     if (s.diameter != common.diameter || s.density != common.density ||
         s.youngs_modulus != common.youngs_modulus || s.poisson_ratio != common.poisson_ratio)
         parts.push_back(member("grain", grain_text(s)));
@@ -185,10 +185,10 @@ std::string experiment_text(const Setup& s, const Setup& common,
                                    unit == "1" ? fmt::format("{:.4g}", s.noise[c])
                                                : json_text(quantity(s.noise[c], unit))));
         }
-        parts.push_back(member("noise", "{" + joined(noise, ", ") + "}"));
+        parts.push_back(member("noise", fmt::format("{{{}}}", joined(noise, ", "))));
     }
     parts.push_back(member("role", s.held_out ? "\"held_out\"" : "\"fit\""));
-    return "{" + joined(parts, ", ") + "}";
+    return fmt::format("{{{}}}", joined(parts, ", "));
 }
 
 std::map<std::string, std::string> case_files(const Skeleton& sk, const std::string& name,
@@ -202,8 +202,9 @@ std::map<std::string, std::string> case_files(const Skeleton& sk, const std::str
     for (std::size_t e = 0; e < sk.stated.size(); ++e) {
         const Setup& s = sk.stated[e];
         const bool own_run = simulated.size() > 0 && !s.held_out;
-        experiments.push_back("    " + experiment_text(s, common, sk.nuisances, static_cast<int>(e),
-                                                       sk.states_noise, own_run));
+        experiments.push_back("    ");
+        experiments.back().append(experiment_text(s, common, sk.nuisances, static_cast<int>(e),
+                                                  sk.states_noise, own_run));
         files[s.id + ".csv"] = recording_text(s, recordings.data() + first);
         if (own_run) files[s.id + "-simulated.csv"] = recording_text(s, simulated.data() + first);
         first += s.size();

@@ -17,8 +17,10 @@ struct Draft {
     bool found = false;
 };
 
-// Fills in the key: names, figures, parameters with the oracle's errors, separation.
-void tell(Draft&, const Plan&, int number);
+// The key's names: case, kind, what is concealed.
+void name(Draft&, const Plan&, int number);
+// Its figures: mismatch, parameters with the oracle's errors, separation.
+void tell(Draft&, const Plan&);
 // And what the oracle and the base model predict of the held-out recordings (shape of predict() over all experiments).
 void tell_held_out(Draft&, const Eigen::VectorXd& recordings);
 

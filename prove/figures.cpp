@@ -73,6 +73,7 @@ double effective_count(const std::vector<Setup>& setups, const Noise& noise) {
 }
 
 double likelihood_ratio_power(double lambda, int freedom) {
+    if (lambda < 1e-9) return 0.05;
     const double critical = gsl_cdf_chisq_Qinv(0.05, std::max(1, freedom));
     // Poisson mixture of central chi^2.
     double power = 0.0;

@@ -14,7 +14,7 @@ template <class List, class Write>
 std::string list(const List& items, const Write& write) {
     std::string all;
     for (const auto& item : items) all += (all.empty() ? "" : ", ") + write(item);
-    return "[" + all + "]";
+    return fmt::format("[{}]", all);
 }
 
 std::string words(const std::vector<std::string>& items) {

@@ -221,7 +221,7 @@ Eigen::VectorXd noisy(const Skeleton& sk, const Eigen::VectorXd& truth, Dice& di
 
 std::string case_name(int number) { return fmt::format("case-{:04d}", number); }
 
-BlindCase make_case(std::uint64_t seed, int number) {
+BlindCase make_case(std::uint64_t seed, int number, Figures figures) {
     const Plan first = plan(seed, number);
     Plan p = first;
     Draft d;
@@ -242,10 +242,11 @@ BlindCase make_case(std::uint64_t seed, int number) {
                         to_string(p.kind), attempts, seed, number));
     if (p.subkind == "mis_set") mis_set(d.sk);
     Dice dice(seed, static_cast<std::uint64_t>(number), 1);
-    tell(d, p, number);
+    name(d, p, number);
+    if (figures == Figures::all) tell(d, p);
     const Eigen::VectorXd truth = predict(d.world, d.sk.truth);
     const Eigen::VectorXd recordings = noisy(d.sk, truth, dice);
-    tell_held_out(d, recordings);
+    if (figures == Figures::all) tell_held_out(d, recordings);
     BlindCase made;
     made.number = number;
     Eigen::VectorXd simulated;

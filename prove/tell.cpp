@@ -99,7 +99,7 @@ void tell_held_out(Draft& d, const Eigen::VectorXd& recordings) {
     d.key.noise_floor = mean_nrmse(later, floor, unseen);
 }
 
-void tell(Draft& d, const Plan& plan, int number) {
+void name(Draft& d, const Plan& plan, int number) {
     Key& k = d.key;
     k.name = case_name(number);
     k.kind = plan.kind, k.subkind = plan.subkind, k.rig = to_string(plan.rig);
@@ -108,6 +108,10 @@ void tell(Draft& d, const Plan& plan, int number) {
     for (const Term& t : d.terms) k.effects.push_back(t.effect), k.channels.push_back(t.channel);
     if (plan.kind == Kind::outside) k.effects = {"unknown"};
     if (plan.kind == Kind::numerical) k.effects = {"numerical_artefact"};
+}
+
+void tell(Draft& d, const Plan& plan) {
+    Key& k = d.key;
     if (plan.kind == Kind::numerical) {
         tell_mismatch(d, user_mismatch(d.sk, d.run));
         return;

@@ -114,7 +114,8 @@ void add_scales(const std::vector<Setup>& setups, std::vector<Term>& all) {
         for (const Channel c : group) {
             if (!records(setups, c)) continue;
             present.push_back(c);
-            names += (names.empty() ? "" : ",") + std::string(to_string(c));
+            if (!names.empty()) names += ',';
+            names += to_string(c);
         }
         if (present.empty()) return;
         Unknown u{.name = "scale", .scaled = group};

@@ -83,7 +83,7 @@ auto read_all(const std::string& directory, const Read& read) {
 std::string quoted_list(const std::vector<std::string>& all) {
     std::string joined;
     for (const std::string& s : all) joined += (joined.empty() ? "" : ", ") + json_text(s);
-    return "[" + joined + "]";
+    return fmt::format("[{}]", joined);
 }
 
 }  // namespace

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// How hidden a secret is: figures made by hand against those of the generator.
+#include "prove/figures.hpp"
+
+#include "tests/prove/worlds.hpp"
+
+#include <catch2/catch.hpp>
+#include <gsl/gsl_cdf.h>
+
+#include <cmath>
+
+using namespace prove;
+
+namespace {
+
+// One drop, nothing free, noise of 2 mm; the truth is recorded through a lens that is 1 % off.
+Skeleton lens(double correlation) {
+    Skeleton sk;
+    sk.rig = Rig::drop;
+    sk.physics = {"gravity", "hertz_mindlin"};
+    Setup s = bead(Rig::drop, {Channel::z});
+    s.height = 1.0, s.noise = {2e-3}, s.at = evenly(0.0, 0.3, 31);
+    sk.stated = sk.truth = {s};
+    sk.noise.correlation = correlation;
+    return sk;
+}
+
+}  // namespace
+
+TEST_CASE("prove: IDR of a 1 % scale error is the error over the noise, row by row", "[prove]") {
+    const Skeleton sk = lens(0.0);
+    World truth = sk.world;
+    truth.scale[0] = 1.01;
+    const Mismatch m = mismatch(sk, truth);
+    double sum = 0.0;
+    for (const double t : sk.stated[0].at)
+        sum += std::pow(0.01 * (1.0 - 0.5 * 9.81 * t * t) / 2e-3, 2);
+    REQUIRE(m.lambda == Approx(sum).epsilon(1e-9));
+    REQUIRE(m.n_eff == Approx(31.0));
+    REQUIRE(m.idr == Approx(std::sqrt(sum / 31.0)).epsilon(1e-9));
+}
+
+TEST_CASE("prove: correlated noise leaves fewer rows and whitens neighbours", "[prove]") {
+    const Skeleton sk = lens(0.5);
+    World truth = sk.world;
+    truth.offset[0] = 4e-3;
+    const Mismatch m = mismatch(sk, truth);
+    REQUIRE(m.n_eff == Approx(31.0 / 3.0));
+    // A constant of two standard deviations: first row 2, then 2 (1 - 0.5)/sqrt(0.75).
+    REQUIRE(m.whitened[0] == Approx(2.0).epsilon(1e-9));
+    REQUIRE(m.whitened[7] == Approx(1.0 / std::sqrt(0.75)).epsilon(1e-9));
+}
+
+TEST_CASE("prove: a free offset takes the offset, and what is left is what it cannot take",
+          "[prove]") {
+    const Skeleton sk = lens(0.0);
+    World truth = sk.world;
+    truth.scale[0] = 1.01;
+    Unknown offset{.name = "offset", .shifted = {Channel::z}};
+    offset.low = -0.1, offset.high = 0.1;
+    const Term term{"measurement_offset", "z", {offset}};
+    const std::vector<std::size_t> list{0};
+    const Eigen::VectorXd wanted = predict(truth, sk.truth);
+    const Fit f = fit_with(sk, {&term}, list, wanted, base_fit(sk, list, wanted));
+    const Eigen::VectorXd z = wanted / 1.01;
+    REQUIRE(f.theta[0] == Approx(0.01 * z.mean()).epsilon(1e-4));
+    REQUIRE(f.chi2 ==
+            Approx(0.01 * 0.01 * (z.array() - z.mean()).square().sum() / 4e-6).epsilon(1e-4));
+    // Its standard error is that of a mean.
+    REQUIRE(standard_errors(f)[0] == Approx(2e-3 / std::sqrt(31.0)).epsilon(1e-6));
+}
+
+TEST_CASE("prove: the oracle's power is 5 % for nothing and Gauss' for one degree of freedom",
+          "[prove]") {
+    REQUIRE(likelihood_ratio_power(0.0, 3) == Approx(0.05).epsilon(1e-9));
+    const double root = 2.5, z = gsl_cdf_ugaussian_Pinv(0.975);
+    REQUIRE(likelihood_ratio_power(root * root, 1) ==
+            Approx(gsl_cdf_ugaussian_P(root - z) + gsl_cdf_ugaussian_P(-root - z)).epsilon(1e-9));
+    REQUIRE(likelihood_ratio_power(400.0, 2) == Approx(1.0));
+}
+
+TEST_CASE("prove: the shortest interval with 80 % is found wherever the rows stand", "[prove]") {
+    const std::vector<double> at{5.0, 0.0, 1.0, 2.0, 3.0, 4.0};
+    const std::vector<double> squares{1.0, 0.5, 4.0, 3.0, 1.0, 0.0};
+    const Span80 span = shortest_span(at, squares);  // 4 + 3 + 1 of 9.5
+    REQUIRE(span.from == 1.0);
+    REQUIRE(span.to == 3.0);
+}
+
+TEST_CASE("prove: separation is nothing where another term does the same", "[prove]") {
+    // One drop without a bounce: a time base k does what gravity over k^2 does, so buoyancy is as good.
+    Skeleton sk = lens(0.0);
+    sk.stated[0].fluid_density = sk.truth[0].fluid_density = 25.0;
+    World truth = sk.world;
+    truth.buoyancy = 1.0;
+    const Separation near = separation(sk, truth, {"buoyancy"});
+    REQUIRE(near.d < 0.05);
+    REQUIRE(mismatch(sk, truth).lambda > 25.0);
+}
+
+TEST_CASE("prove: nrmse is per cent of the recorded range, mean over channels", "[prove]") {
+    Setup s = bead(Rig::drop, {Channel::z, Channel::x});
+    s.at = {0.0, 1.0};
+    Eigen::VectorXd recorded(4), predicted(4);
+    recorded << 0.0, 2.0, 0.0, 10.0;
+    predicted << 0.1, 2.1, 0.0, 10.0;
+    REQUIRE(mean_nrmse({s}, predicted, recorded) == Approx(0.5 * 5.0));
+}
