@@ -175,13 +175,6 @@ double channel_range(const Problem& p, const std::string& name) {
     return widest;
 }
 
-std::string unit_of_channel(const std::string& name) {
-    if (name == "z" || name == "x" || name == "s") return "m";
-    if (name == "force") return "N";
-    if (name == "rebound_angle") return "rad";
-    return name.ends_with("spin") ? "rad/s" : "1";
-}
-
 // Of an instrument that somebody has calibrated: a few per cent.
 Unknown instrument_factor(const std::string& name) {
     return {.name = name,

@@ -308,7 +308,6 @@ std::vector<Located> located(const Problem& p, const VectorXd& white, const Vect
                 const double d = difference[rows[k].second];
                 signed_sum += d * std::abs(d), squares += d * d;
             }
-            const bool length = c.name == "z" || c.name == "x" || c.name == "s";
             list.push_back(
                 {total,
                  {.experiment = r.experiment->id,
@@ -321,12 +320,8 @@ std::vector<Located> located(const Problem& p, const VectorXd& white, const Vect
                   .to = rows[best_to].first,
                   .sign = signed_sum >= 0.0 ? 1 : -1,
                   .size = std::sqrt(squares / static_cast<double>(best_to - best_from + 1)),
-                  .size_unit = length                      ? "m"
-                               : c.name == "force"         ? "N"
-                               : c.name == "rebound_angle" ? "rad"
-                               : c.name.ends_with("spin")  ? "rad/s"
-                                                           : "1",
-                  .p_value = p_value}});
+                  .size_unit = unit_of_channel(c.name),
+                             .p_value = p_value}});
         }
     }
     std::stable_sort(list.begin(), list.end(),

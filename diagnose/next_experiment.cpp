@@ -34,13 +34,6 @@ cases::Value conditions_of(const Design& d) {
     return v;
 }
 
-std::string unit_of(const std::string& channel) {
-    if (channel == "z" || channel == "x" || channel == "s") return "m";
-    if (channel == "force") return "N";
-    if (channel == "rebound_angle") return "rad";
-    return channel.ends_with("spin") ? "rad/s" : "1";
-}
-
 std::string ordinate_of(const std::string& rig) {
     return rig == "impact" ? "angle" : rig == "pull_off" ? "separation" : "t";
 }
@@ -64,7 +57,7 @@ cases::Recording blank_recording(const Design& d) {
     if (passes == 2) r.columns.push_back(branch);
     for (const std::string& c : d.channels)
         r.columns.push_back(
-            {.name = c, .unit = unit_of(c), .values = std::vector<double>(at.values.size(), 0.0)});
+            {.name = c, .unit = unit_of_channel(c), .values = std::vector<double>(at.values.size(), 0.0)});
     return r;
 }
 

@@ -156,6 +156,13 @@ void add_free_parameters(Problem& p) {
 
 }  // namespace
 
+std::string unit_of_channel(const std::string& name) {
+    if (name == "z" || name == "x" || name == "s") return "m";
+    if (name == "force") return "N";
+    if (name == "rebound_angle") return "rad";
+    return name.ends_with("spin") ? "rad/s" : "1";
+}
+
 std::string Hypothesised::name() const {
     std::string text;
     for (const Term* t : terms) text += (text.empty() ? "" : " + ") + t->effect;

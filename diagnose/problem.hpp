@@ -29,6 +29,9 @@ struct Record {
     std::vector<Channel> channels;
 };
 
+// SI: "m", "N", "rad", "rad/s", "1".
+std::string unit_of_channel(const std::string& name);
+
 // One hypothesis: the user's physics, terms added to it, all unknowns.
 struct Hypothesised {
     std::vector<const Term*> terms;

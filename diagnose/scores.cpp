@@ -28,13 +28,6 @@ Nrmse nrmse_of(const Channel& c, const VectorXd& base, const VectorXd& extended,
     return {scale * std::sqrt(b / n), scale * std::sqrt(e / n), scale * noise};
 }
 
-std::string unit_of(const std::string& channel) {
-    if (channel == "z" || channel == "x" || channel == "s") return "m";
-    if (channel == "force") return "N";
-    if (channel == "rebound_angle") return "rad";
-    return channel.ends_with("spin") ? "rad/s" : "1";
-}
-
 }  // namespace
 
 Candidate carried_over(const Problem& to, const Candidate& c) {
@@ -78,7 +71,7 @@ std::vector<PredictedCurve> curves(const Problem& p, const Noise& noise, const C
             const Channel& channel = r.channels[c];
             PredictedCurve curve{.experiment = r.experiment->id,
                                  .channel = channel.name,
-                                 .unit = unit_of(channel.name),
+                                 .unit = unit_of_channel(channel.name),
                                  .held_out = held_out,
                                  .ordinate = r.ordinate,
                                  .ordinate_unit = r.ordinate == "t"       ? "s"
