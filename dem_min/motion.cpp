@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace dem_min {
 namespace {
@@ -22,8 +23,42 @@ Arrays arrays(Particles& p, std::size_t k) {
             &p.tx[k], &p.ty[k], &p.tz[k], &p.mass[k], &p.inverse_mass[k], &p.inverse_inertia[k]};
 }
 
+// The loads of a tile, each component by itself. The arrays begin at different places of a page, for the reason that array.hpp
+// gives.
+struct Sums {
+    static constexpr int stride = tile_size + 8;  // one cache line apart
+    double fx[stride], fy[stride], fz[stride], tx[stride], ty[stride], tz[stride];
+};
+
+// Component by component, of four grains.
+inline void turn(const Four& a, const Four& b, const Four& c, const Four& d, double* x, double* y,
+                 double* z) {
+    const Four xz_ab = __builtin_shufflevector(a, b, 0, 4, 2, 6);
+    const Four yw_ab = __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const Four xz_cd = __builtin_shufflevector(c, d, 0, 4, 2, 6);
+    const Four yw_cd = __builtin_shufflevector(c, d, 1, 5, 3, 7);
+    const Four xs = __builtin_shufflevector(xz_ab, xz_cd, 0, 1, 4, 5);
+    const Four ys = __builtin_shufflevector(yw_ab, yw_cd, 0, 1, 4, 5);
+    const Four zs = __builtin_shufflevector(xz_ab, xz_cd, 2, 3, 6, 7);
+    std::memcpy(x, &xs, sizeof xs), std::memcpy(y, &ys, sizeof ys), std::memcpy(z, &zs, sizeof zs);
+}
+
+SIMILITUDE_VECTOR_CLONES void turn_all(const Load* of, int n, Sums& sums) {
+    int k = 0;
+    for (; k + 4 <= n; k += 4) {
+        const Load *a = of + k, *b = a + 1, *c = a + 2, *d = a + 3;
+        turn(a->force, b->force, c->force, d->force, sums.fx + k, sums.fy + k, sums.fz + k);
+        turn(a->torque, b->torque, c->torque, d->torque, sums.tx + k, sums.ty + k, sums.tz + k);
+    }
+    for (; k < n; ++k) {
+        const Four f = of[k].force, t = of[k].torque;
+        sums.fx[k] = f[0], sums.fy[k] = f[1], sums.fz[k] = f[2];
+        sums.tx[k] = t[0], sums.ty[k] = t[1], sums.tz[k] = t[2];
+    }
+}
+
 // With the loads of this step, in which the weight is not yet.
-Arrays arrays(Particles& p, std::size_t k, const Loads& sum) {
+Arrays arrays(Particles& p, std::size_t k, const Sums& sum) {
     Arrays all = arrays(p, k);
     all.fx = sum.fx, all.fy = sum.fy, all.fz = sum.fz;
     all.tx = sum.tx, all.ty = sum.ty, all.tz = sum.tz;
@@ -138,23 +173,26 @@ SIMILITUDE_VECTOR_CLONES Drift finish_and_begin(const Arrays p, int n, const Set
     return walk<true>(p, n, settings, frame);
 }
 
-// Returns all loads of the tile, those that others hold for it included.
-const Loads& add_incoming(Simulation& s, std::size_t t) {
-    Loads& sum = s.tiles[t].loads.front();
-    const int first = static_cast<int>(first_of(t));
-    const std::vector<Incoming>& inbox = s.tiles[t].inbox;
+// Adds the loads that other tiles hold for these grains.
+SIMILITUDE_VECTOR_CLONES void add_incoming(const Tile* tiles, const std::vector<Incoming>& inbox,
+                                           Load* sum) {
     const auto entry = [&](const Incoming& in) {
-        return s.tiles[static_cast<std::size_t>(in.tile)].outbox.data() + in.index;
+        return tiles[static_cast<std::size_t>(in.tile)].outbox.loads.data() + in.index;
     };
     constexpr std::size_t far = 24;  // entries; the third-level cache answers within that
     for (std::size_t at = 0; at < inbox.size(); ++at) {
         if (at + far < inbox.size()) __builtin_prefetch(entry(inbox[at + far]));
-        const Outgoing& load = *entry(inbox[at]);
-        const int k = load.j - first;
-        sum.fx[k] += load.force.x, sum.fy[k] += load.force.y, sum.fz[k] += load.force.z;
-        sum.tx[k] += load.torque.x, sum.ty[k] += load.torque.y, sum.tz[k] += load.torque.z;
+        const Load& load = *entry(inbox[at]);
+        Load& to = sum[inbox[at].place];
+        to.force += load.force;
+        to.torque += load.torque;
     }
-    return sum;
+}
+
+void add_all(Simulation& s, std::size_t t, Sums& sums) {
+    Load* const of = s.tiles[t].loads.data();
+    add_incoming(s.tiles.data(), s.tiles[t].inbox, of);
+    turn_all(of, grains_of(s, t), sums);
 }
 
 }  // namespace
@@ -170,7 +208,8 @@ Drift begin_step(Simulation& s, std::size_t t) {
 }
 
 void end_step(Simulation& s, std::size_t t) {
-    const Loads& sum = add_incoming(s, t);
+    Sums sum;
+    add_all(s, t, sum);
     Particles& p = s.grains;
     const std::size_t k = first_of(t);
     weigh_and_kick(arrays(p, k, sum), {&p.fx[k], &p.fy[k], &p.fz[k], &p.tx[k], &p.ty[k], &p.tz[k]},
@@ -178,7 +217,8 @@ void end_step(Simulation& s, std::size_t t) {
 }
 
 Drift end_and_begin_step(Simulation& s, std::size_t t) {
-    const Loads& sum = add_incoming(s, t);
+    Sums sum;
+    add_all(s, t, sum);
     return finish_and_begin(arrays(s.grains, first_of(t), sum), grains_of(s, t), s.settings,
                             s.frame);
 }

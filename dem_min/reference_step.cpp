@@ -46,10 +46,9 @@ void begin_all(Simulation& s) {
 
 void add_load(Simulation& s, int grain, Vec3 force, Vec3 torque) {
     const auto t = static_cast<std::size_t>(tile_of(grain));
-    Loads& sum = s.tiles[t].loads.front();
-    const int k = grain - static_cast<int>(first_of(t));
-    sum.fx[k] += force.x, sum.fy[k] += force.y, sum.fz[k] += force.z;
-    sum.tx[k] += torque.x, sum.ty[k] += torque.y, sum.tz[k] += torque.z;
+    Load& sum = s.tiles[t].loads[static_cast<std::size_t>(grain % tile_size)];
+    sum.force += Four{force.x, force.y, force.z, 0.0};
+    sum.torque += Four{torque.x, torque.y, torque.z, 0.0};
 }
 
 }  // namespace
@@ -62,7 +61,12 @@ void reference_step(Simulation& s) {
     remove_lost(s);
     begin_all(s);
 
-    for (Tile& tile : s.tiles) tile.loads.assign(1, Loads{});
+    for (std::size_t t = 0; t < s.tiles.size(); ++t)
+        s.tiles[t].loads.assign(static_cast<std::size_t>(grains_of(s, t)), Load{});
+    struct Outgoing {
+        int j;
+        Vec3 force, torque;
+    };
     std::vector<Outgoing> to_other_tiles;  // added last
     for (Tile& tile : s.tiles)
         for (std::size_t group = 0; group < s.groups(); ++group) {

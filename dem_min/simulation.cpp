@@ -142,7 +142,8 @@ MemoryUse memory_use(const Simulation& s) {
         }
         for (const Candidates* near : {&tile.near_grains, &tile.near_walls})
             use.bytes_lists += bytes(near->i) + bytes(near->j) + bytes(near->due);
-        use.bytes_lists += bytes(tile.outbox) + bytes(tile.inbox) + sizeof(Tile);
+        use.bytes_lists +=
+            bytes(tile.outbox.loads) + bytes(tile.outbox.to) + bytes(tile.inbox) + sizeof(Tile);
     }
     for (const Spare& spare : s.spare) {
         for (const auto& piece : spare.loads) use.bytes_lists += bytes(piece);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dem_min/forces.hpp"
 #include "dem_min/neighbours.hpp"
+#include "dem_min/vector_clones.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -26,28 +27,29 @@ void for_each_share(Simulation& s, Each&& each) {
 }
 
 // Adds the loads of a block to its grains. A contact that has torn loads nobody; its slot goes to `torn`.
-void scatter(Simulation& s, std::size_t t, const Contacts& c, bool at_wall, std::size_t first,
-             int size, const Block& b, std::vector<std::size_t>& torn) {
-    Loads& sum = s.tiles[t].loads.front();
-    double *fx = sum.fx, *fy = sum.fy, *fz = sum.fz;
-    double *tx = sum.tx, *ty = sum.ty, *tz = sum.tz;
-    const int begin = static_cast<int>(first_of(t)), grains = grains_of(s, t);
+SIMILITUDE_VECTOR_CLONES void scatter(Tile& tile, int begin, int grains, const Contacts& c,
+                                      bool at_wall, std::size_t first, int size, const Block& b,
+                                      std::vector<std::size_t>& torn) {
+    Load* const sum = tile.loads.data();
+    const int *from = c.i.data() + first, *to = c.j.data() + first;
     for (int k = 0; k < size; ++k) {
         if (b.hold[k] < 0.0) {
             torn.push_back(first + static_cast<std::size_t>(k));
             continue;
         }
-        const int i = c.i[first + static_cast<std::size_t>(k)] - begin;
-        fx[i] -= b.fx[k], fy[i] -= b.fy[k], fz[i] -= b.fz[k];
-        tx[i] += b.tix[k], ty[i] += b.tiy[k], tz[i] += b.tiz[k];
+        const Four force{b.fx[k], b.fy[k], b.fz[k], 0.0};
+        Load& on_i = sum[from[k] - begin];
+        on_i.force -= force;
+        on_i.torque += Four{b.tix[k], b.tiy[k], b.tiz[k], 0.0};
         if (at_wall) continue;
-        const int j = c.j[first + static_cast<std::size_t>(k)] - begin;
+        const Four torque{b.tjx[k], b.tjy[k], b.tjz[k], 0.0};
+        const int j = to[k] - begin;
         if (j >= 0 && j < grains) {
-            fx[j] += b.fx[k], fy[j] += b.fy[k], fz[j] += b.fz[k];
-            tx[j] += b.tjx[k], ty[j] += b.tjy[k], tz[j] += b.tjz[k];
+            sum[j].force += force;
+            sum[j].torque += torque;
         } else {
-            s.tiles[t].outbox.push_back(
-                {j + begin, {b.fx[k], b.fy[k], b.fz[k]}, {b.tjx[k], b.tjy[k], b.tjz[k]}});
+            tile.outbox.loads.push_back({force, torque});
+            tile.outbox.to.push_back(to[k]);
         }
     }
 }
@@ -83,13 +85,6 @@ void give_back(std::vector<std::vector<T>>& spare, std::vector<T>& piece) {
     if (piece.capacity() > 0) spare.push_back(std::move(piece));
 }
 
-void clear_loads(Tile& tile, int grains) {
-    tile.loads.resize(1);
-    Loads& sum = tile.loads.front();
-    for (double* array : {sum.fx, sum.fy, sum.fz, sum.tx, sum.ty, sum.tz})
-        std::fill_n(array, grains, 0.0);
-}
-
 // A step walks through the histories of the contacts once, along nine arrays, and through their grains along nine more: too
 // many for the processor to follow by itself from one page to the next. Asked for a block ahead, they are there in time.
 void ask_for(const Contacts& c, std::size_t first) {
@@ -120,9 +115,11 @@ void load_tile(Simulation& s, std::size_t t, Spare& spare) {
     begin_contacts(s, t);
     Tile& tile = s.tiles[t];
     take(spare.loads, tile.loads);
-    take(spare.outboxes, tile.outbox);
-    clear_loads(tile, grains_of(s, t));
-    tile.outbox.clear();
+    take(spare.outboxes, tile.outbox.loads);
+    const int begin = static_cast<int>(first_of(t)), grains = grains_of(s, t);
+    tile.loads.assign(static_cast<std::size_t>(grains), Load{});
+    tile.outbox.loads.clear();
+    tile.outbox.to.clear();
     tile.outbox_changes += tile.slots_have_moved;
     tile.slots_have_moved = false;
     Block block;
@@ -137,7 +134,7 @@ void load_tile(Simulation& s, std::size_t t, Spare& spare) {
             at_wall ? gather_walls(s, c, first, size, block)
                     : gather_pairs(s, c, first, size, block);
             load_block(s.laws(group), c, first, size, block, s.settings);
-            scatter(s, t, c, at_wall, first, size, block, torn);
+            scatter(tile, begin, grains, c, at_wall, first, size, block, torn);
         }
         if (!torn.empty()) end_contacts(s, t, group, torn);
     }
@@ -164,10 +161,10 @@ void renew_inbox(Simulation& s, std::size_t t) {
     if (!changed) return;
     tile.inbox.clear();
     for (const int partner : tile.partners) {
-        const std::vector<Outgoing>& outbox = s.tiles[static_cast<std::size_t>(partner)].outbox;
-        for (std::size_t k = 0; k < outbox.size(); ++k)
-            if (tile_of(outbox[k].j) == static_cast<int>(t))
-                tile.inbox.push_back({partner, static_cast<int>(k)});
+        const std::vector<int>& to = s.tiles[static_cast<std::size_t>(partner)].outbox.to;
+        for (std::size_t k = 0; k < to.size(); ++k)
+            if (tile_of(to[k]) == static_cast<int>(t))
+                tile.inbox.push_back({partner, static_cast<int>(k), to[k] % tile_size});
     }
 }
 
@@ -261,7 +258,7 @@ void load_share(Simulation& s, std::size_t first, std::size_t last, bool goes_on
         if (tiles_may_sleep) continue;
         for (; in_use < next; ++in_use) {
             if (fetched(s, in_use, first, t + 1))
-                give_back(spare.outboxes, s.tiles[in_use].outbox);
+                give_back(spare.outboxes, s.tiles[in_use].outbox.loads);
             else if (ready(s, in_use, first, last))
                 break;  // some partner is to come
         }
