@@ -1,69 +1,154 @@
 // SPDX-License-Identifier: MIT
 #include "app/prove.hpp"
 
+#include "app/campaign.hpp"
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
 #include "app/progress.hpp"
-#include "prove/campaign.hpp"
+#include "app/version.hpp"
+#include "scaling/errors.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
-#include <filesystem>
+#include <algorithm>
 #include <memory>
+#include <stdexcept>
+#include <vector>
 
 namespace app {
 namespace {
 
 struct ProveOptions {
     CommonOptions common;
-    prove::Extent extent;
-    std::string out = "out/prove", kind, rig;
-    bool write_only = false;
+    Campaign campaign;
+    std::string out = "out/prove", kind;
+    bool score_only = false;
 };
 
 constexpr const char* examples = R"(Examples:
-  similitude prove --cases 60 --seed 7 --write-only --out out/blind
-      60 cases of every kind in out/blind/cases, their keys in out/blind/keys
+  similitude prove --cases 120 --seed 7
+      makes 120 blind cases, has `similitude diagnose` judge each, opens the keys, tells the score
+  similitude prove --cases 1200 --seed 7 --shard 1/4 --resume
+      goes on with the first quarter of 1200
+  similitude prove --cases 1200 --seed 7 --score-only --json out/score.json
+      the score of all that has been judged so far
   similitude prove --cases 20 --seed 7 --kind single --rig drop --write-only --out out/drops
-      the first 20 of that seed that conceal one effect from a falling grain)";
+      the first 20 of that seed that conceal one effect from a falling grain, judged by nobody)";
 
-int run(ProveOptions o) {
-    o.extent.seed = o.common.seed;
-    if (!o.kind.empty()) o.extent.kind = prove::kind_of(o.kind);
-    o.extent.rig = o.rig;
+reports::Json json_of(const prove::Line& line) {
+    reports::Json json = {{"figure", line.figure}, {"bar", line.bar}, {"count", line.count}};
+    json["value"] = line.count > 0 ? reports::Json(line.value) : reports::Json(nullptr);
+    json["wilson95"] = line.bounds
+                           ? reports::Json(std::vector<double>{line.bounds->low, line.bounds->high})
+                           : reports::Json(nullptr);
+    json["met"] = line.met ? reports::Json(*line.met) : reports::Json(nullptr);
+    json["note"] = line.note;
+    return json;
+}
+
+reports::Json json_of(const Result& result, const ProveOptions& o, const std::string& command) {
+    const prove::ScoreTable& t = result.table;
+    reports::Json lines = reports::Json::array(), bins = reports::Json::array();
+    for (const prove::Line& line : t.lines) lines.push_back(json_of(line));
+    for (const prove::Calibration::Bin& b : t.calibration.bins)
+        bins.push_back({{"told", b.probability}, {"came_true", b.frequency}, {"count", b.count}});
+    return {{"format", "similitude-prove/1"},
+            {"tool", {{"version", version}, {"git", git}, {"command", command}}},
+            {"seed", o.campaign.extent.seed},
+            {"cases", t.cases},
+            {"without_verdict", t.missing},
+            {"lines", lines},
+            {"confusion", t.confusion},
+            {"calibration",
+             {{"expected_error", t.calibration.expected_error},
+              {"expected_error_top", t.calibration.expected_error_top},
+              {"brier", t.calibration.brier},
+              {"bins", bins}}},
+            {"cpu_seconds_per_case",
+             {{"mean", result.times.mean},
+              {"longest", result.times.longest},
+              {"limit", o.campaign.limit},
+              {"judged", result.times.count},
+              {"failures", result.times.failures}}}};
+}
+
+int tell(const ProveOptions& o, const std::string& command) {
+    const Result result = score(o.campaign);
+    print(o.common,
+          prove::text(result.table) +
+              fmt::format("\nProcessor time of a verdict: {:.2f} s on average, {:.1f} s the "
+                          "longest, {} judged, {} of them in vain (limit {:g} s)\n",
+                          result.times.mean, result.times.longest, result.times.count,
+                          result.times.failures, o.campaign.limit));
+    write_results(o.common, json_of(result, o, command),
+                  []() -> reports::Page { throw std::logic_error("prove has no page"); });
+    const bool missed = std::any_of(result.table.lines.begin(), result.table.lines.end(),
+                                    [](const prove::Line& line) { return line.met == false; });
+    return missed ? answer_is_no : fine;
+}
+
+int run(ProveOptions o, const std::string& command) {
+    Campaign& c = o.campaign;
+    c.extent.seed = o.common.seed;
+    if (!o.kind.empty()) c.extent.kind = prove::kind_of(o.kind);
+    if (!o.common.report.empty())
+        throw scaling::InvalidInput(scaling::mistake("--report", '"' + o.common.report + '"',
+                                                     "prove writes no page", "take --json"));
+    c.out = o.out;
+    c.threads = threads_of(o.common);
+    c.resume = o.common.resume;
+    if (o.score_only) return tell(o, command);
     watch_interrupts();
-    Progress progress(!o.common.quiet);
-    const std::filesystem::path out = o.out;
-    const std::vector<int> numbers = prove::numbers_of(o.extent);
-    double done = 0.0;
-    for (const int number : numbers) {
-        if (interrupt_flag()) return interrupted;
-        if (!o.common.resume || !prove::is_written(number, out / "cases", out / "keys"))
-            prove::write(prove::make_case(o.extent.seed, number), out / "cases", out / "keys");
-        done += 1.0;
-        progress.show(done, static_cast<double>(numbers.size()), prove::case_name(number));
+    bool whole = false;
+    {
+        Progress progress(!o.common.quiet);
+        progress.start(0.0);
+        const auto show = [&progress](double done, double of, const std::string& name) {
+            progress.show(done, of, name);
+        };
+        whole = work(c, show, interrupt_flag());
     }
-    return fine;
+    if (!whole) {
+        fmt::print(stderr, "similitude: interrupted; the same command with --resume goes on\n");
+        return interrupted;
+    }
+    return c.write_only ? fine : tell(o, command);
 }
 
 }  // namespace
 
-Verb prove_verb(CLI::App& app, const std::string&) {
+Verb prove_verb(CLI::App& app, const std::string& command) {
     const auto options = std::make_shared<ProveOptions>();
-    CLI::App* verb = app.add_subcommand("prove", "blind cases with concealed effects");
-    verb->add_option("--cases", options->extent.cases, "how many")->capture_default_str();
+    Campaign& c = options->campaign;
+    c.judge = "/proc/self/exe";
+    CLI::App* verb =
+        app.add_subcommand("prove", "blind cases with concealed effects, judged and scored");
+    verb->add_option("--cases", c.extent.cases, "how many")->capture_default_str();
     verb->add_option("--kind", options->kind,
                      "only null, single, look_alike, pair, outside or numerical");
-    verb->add_option("--rig", options->rig, "only this rig");
-    verb->add_option("--shard", options->extent.shard,
-                     "i/n: every n-th case, beginning with the i-th")
+    verb->add_option("--rig", c.extent.rig, "only this rig");
+    verb->add_option("--shard", c.extent.shard, "i/n: every n-th case, beginning with the i-th")
         ->capture_default_str();
     verb->add_option("--out", options->out, "folder")->type_name("DIR")->capture_default_str();
-    verb->add_flag("--write-only", options->write_only, "write the cases, judge none")->required();
+    verb->add_option("--limit", c.limit, "seconds of processor time for a case; then it is wrong")
+        ->check(CLI::Range(1.0, 1e5))
+        ->capture_default_str();
+    verb->add_option("--judge-seed", c.judge_seed, "the seed that the judge is given")
+        ->capture_default_str();
+    verb->add_option("--stability", c.stability,
+                     "judge the first N single effects with D >= 5 with 19 more seeds")
+        ->capture_default_str();
+    verb->add_option("--judge", c.judge,
+                     "another program that takes the arguments of `similitude diagnose`")
+        ->type_name("PROGRAM");
+    CLI::Option* write_only = verb->add_flag("--write-only", c.write_only, "judge none");
+    verb->add_flag("--score-only", options->score_only, "judge none, score what has been judged")
+        ->excludes(write_only);
     add_common(*verb, options->common);
     verb->footer(examples);
-    return {verb, [options] { return run(*options); }};
+    return {verb, [options, command] { return run(*options, command); }};
 }
 
 }  // namespace app

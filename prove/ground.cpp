@@ -7,13 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace prove {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
 constexpr double outside_length = 0.1;  // m, of the effects that depend on the way
 
 struct Mode {

@@ -80,10 +80,14 @@ void set_fields(const Value& object, const auto& fields, const char* where, Setu
 }
 
 void set_ordinates(const Value& wish, Setup& s) {
-    if (!wish.has("from") || !wish.has("to")) return;
-    double from = si_value(wish.at("from")), to = si_value(wish.at("to"));
+    if (!wish.has("ordinate")) return;
+    const Value& ordinate = wish.at("ordinate");
+    if (!ordinate.has("from") || !ordinate.has("to")) return;
+    double from = si_value(ordinate.at("from")), to = si_value(ordinate.at("to"));
+    if (!std::isfinite(from) || !std::isfinite(to)) return;
     if (from > to) std::swap(from, to);
-    const int wished = wish.has("rows") ? static_cast<int>(wish.at("rows").written_number) : 120;
+    const int wished =
+        ordinate.has("rows") ? static_cast<int>(ordinate.at("rows").written_number) : 120;
     const int rows = std::clamp(s.rig == Rig::pull_off ? wished / 2 : wished, 8, 400);
     s.at.clear();
     s.retract.clear();
@@ -102,8 +106,10 @@ double noise_of(const BlindCase& blind, const Value& wish, Channel c,
     for (const Setup& s : blind.skeleton.stated)
         for (std::size_t k = 0; k < s.recorded.size(); ++k)
             if (s.recorded[k] == c) return s.noise[k];
-    if (wish.has("noise") && wish.at("noise").has(to_string(c)))
-        return si_value(wish.at("noise").at(to_string(c)));
+    if (wish.has("noise") && wish.at("noise").has(to_string(c))) {
+        const double wished = si_value(wish.at("noise").at(to_string(c)));
+        if (std::isfinite(wished)) return wished;
+    }
     return rounded(std::max(0.02 * ranges[static_cast<std::size_t>(c)], 1e-15), 3);
 }
 

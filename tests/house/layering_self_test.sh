@@ -12,4 +12,8 @@ for line in '#include "dem_min/step.hpp"' '#include "cases/case.hpp"' '#include 
     echo "$line" > "$tree/contact/b.hpp"
     bash "$here/layering.sh" "$tree" >/dev/null && { echo "not seen: contact with $line"; exit 1; }
 done
+mkdir "$tree/prove"
+rm "$tree/contact/b.hpp"
+echo '#include "contact/a.hpp"' > "$tree/prove/a.hpp"
+bash "$here/layering.sh" "$tree" >/dev/null && { echo "not seen: prove that includes contact"; exit 1; }
 exit 0

@@ -118,7 +118,8 @@ TEST_CASE("prove: a recording that is asked for is made in the case's own world"
     const fs::path home = empty_folder("similitude-prove-asked");
     fs::create_directories(home);
     std::ofstream(home / "wish.json") << R"({"rig": "drop", "conditions": {"height": "300 mm"},
-        "channels": ["z"], "from": 0, "to": 0.2, "rows": 40, "noise": {"z": 0.001}})";
+        "channels": ["z"], "ordinate": {"from": 0, "to": 0.2, "rows": 40},
+        "noise": {"z": 0.001}})";
     auto files = record(made, seed, cases::read_json((home / "wish.json").string()));
     for (const auto& [name, content] : files) std::ofstream(home / name) << content;
     const cases::Case c = cases::read_case(home.string());
@@ -127,7 +128,7 @@ TEST_CASE("prove: a recording that is asked for is made in the case's own world"
     REQUIRE(c.experiments.back().recording->rows() == 40);
     REQUIRE(c.experiments.back().recording->values("z").front() == Approx(0.3).margin(6e-3));
     std::ofstream(home / "wish.json")
-        << R"({"rig": "drop", "channels": ["force"], "from": 0, "to": 1})";
+        << R"({"rig": "drop", "channels": ["force"], "ordinate": {"from": 0, "to": 1}})";
     REQUIRE_THROWS_AS(record(made, seed, cases::read_json((home / "wish.json").string())),
                       scaling::InvalidInput);
     fs::remove_all(home);
