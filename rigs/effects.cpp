@@ -73,8 +73,11 @@ double Restitution::at(double speed) const {
     return e;
 }
 
-double Vibration::height(double t) const { return amplitude * std::sin(omega * t + phase); }
+double Vibration::height(double t) const {
+    return amplitude == 0.0 ? 0.0 : amplitude * std::sin(omega * t + phase);
+}
 double Vibration::velocity(double t) const {
+    if (amplitude == 0.0) return 0.0;
     return amplitude * omega * std::cos(omega * t + phase);
 }
 double Vibration::acceleration(double t) const {

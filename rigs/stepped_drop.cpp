@@ -220,12 +220,10 @@ class SteppedDrop {
         rates_ = rates();
     }
 
+    // Calm along the normal: a grain that still slides or rolls is pressed evenly, and what brakes it is known without steps.
     bool is_calm() const {
         const double vn = s_.vz - g_.vibration.velocity(s_.t);
-        const double slip = g_.friction.at_rest > 0.0 ? s_.vx - s_.w : 0.0;
-        const double braked = g_.rolling_friction > 0.0 ? s_.vx : 0.0;
-        return vn * vn + slip * slip + braked * braked <=
-               1e-12 * 2.0 * world_.holding() * g_.radius;
+        return vn * vn <= 1e-12 * 2.0 * world_.holding() * g_.radius;
     }
 };
 
