@@ -18,7 +18,7 @@ using scaling::mistake;
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 
 DropWorld world_of(const DropSetup& s) {
-    return {&s.grain, nullptr, s.numerics ? &*s.numerics : nullptr};
+    return {s.grain, nullptr, s.numerics ? &*s.numerics : nullptr};
 }
 
 class Drop : public ForwardModel {
@@ -48,7 +48,7 @@ class Drop : public ForwardModel {
         check_missing(world, "drop", {"t", "z", "speed", "impact_speed"});
         const OneGrain grain = one_grain(stated_, world);
         const InOrder times(o.at);
-        const DropPath path = follow_drop({&grain, world.missing ? &*world.missing : nullptr,
+        const DropPath path = follow_drop({grain, world.missing ? &*world.missing : nullptr,
                                            world.numerics ? &*world.numerics : nullptr},
                                           drop_conditions(stated_, world), times.at);
         Curves result;
@@ -128,7 +128,7 @@ DropRecord run_drop(const DropSetup& setup, const std::vector<double>& times) {
 DropRecord run_drop(const DropSetup& setup, int count) {
     const DropConditions& c = setup.conditions;
     const DropWorld world = world_of(setup);
-    const double g = world.into(), square = c.speed * c.speed + 2.0 * g * c.height;
+    const double g = world.into, square = c.speed * c.speed + 2.0 * g * c.height;
     if (!(g > 0.0 || c.speed > 0.0))
         throw InvalidParameter(mistake("run_drop.times", "none",
                                        "must be given for a grain that never falls",

@@ -11,9 +11,10 @@
 namespace rigs {
 namespace {
 
-// Below this rebound the bounces that are left last no time and reach no height: a millionth of sqrt(2 g R).
-double slowest_bounce(const DropWorld& world, double grip) {
-    return 1e-6 * std::sqrt(2.0 * grip * world.grain->radius);
+// Whether the grain rises no higher than weight presses it in when it lies: no bounce any more, but a swing about rest. 6 nm and
+// 0.3 mm/s for a glass bead of 4 mm.
+bool is_at_rest(const OneGrain& g, double rebound, double grip) {
+    return rebound * rebound <= 2.0 * grip * g.resting_overlap(g.mass * grip);
 }
 
 // Whether the user's step is so far below the contact time that its run is the closed one: velocity Verlet, more than `fine`
@@ -38,7 +39,7 @@ enum class After { flies, stays };
 After bounce(const DropWorld& world, OneContact& contact, DropState& s, DropRows& out) {
     const OneGrain& g = *world.grain;
     const bool moving = g.vibration.amplitude > 0.0;
-    const double plate_speed = moving ? g.vibration.velocity(s.t) : 0.0;
+    const double plate_speed = g.vibration.velocity(s.t);
     const double normal = std::max(0.0, plate_speed - s.vz);
     ++out.path.impacts;
     s.impact_speed = normal, s.bridged = g.attraction.bridge > 0.0;
@@ -60,7 +61,7 @@ After bounce(const DropWorld& world, OneContact& contact, DropState& s, DropRows
     s.vx = r.v, s.w = r.w, s.vz = plate_speed + r.normal;
     if (moving) s.z = g.vibration.height(s.t) + r.gap;
     const double grip = world.grip(s);
-    const bool held = grip > 0.0 && r.normal <= slowest_bounce(world, grip);
+    const bool held = grip > 0.0 && is_at_rest(g, r.normal, grip);
     return r.stays || held ? After::stays : After::flies;
 }
 
@@ -68,11 +69,12 @@ After bounce(const DropWorld& world, OneContact& contact, DropState& s, DropRows
 
 double DropState::speed() const { return std::sqrt(vx * vx + vz * vz); }
 
-double DropWorld::into() const { return grain->gravity * std::cos(grain->tilt_angle); }
-
-double DropWorld::along() const {
-    return grain->gravity * std::sin(grain->tilt_angle) * std::cos(grain->tilt_azimuth);
-}
+DropWorld::DropWorld(const OneGrain& g, const MissingForce* force, const cases::Numerics* how)
+    : grain(&g),
+      missing(force),
+      numerics(how),
+      into(g.gravity * std::cos(g.tilt_angle)),
+      along(g.gravity * std::sin(g.tilt_angle) * std::cos(g.tilt_azimuth)) {}
 
 bool DropWorld::ballistic() const {
     return grain->drag.factor == 0.0 && grain->attraction.none() && missing == nullptr;
@@ -91,12 +93,12 @@ double DropWorld::lift(const DropState& s, double gap) const {
     return force;
 }
 
-double DropWorld::holding() const { return into() + grain->attraction.in_contact() / grain->mass; }
+double DropWorld::holding() const { return into + grain->attraction.in_contact() / grain->mass; }
 
 double DropWorld::grip(const DropState& s) const {
     DropState touching = s;
     touching.bridged = grain->attraction.bridge > 0.0;
-    return into() - lift(touching, 0.0) / grain->mass;
+    return into - lift(touching, 0.0) / grain->mass;
 }
 
 DropPath follow_drop(const DropWorld& world, const DropConditions& c,

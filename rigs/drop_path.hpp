@@ -35,14 +35,14 @@ struct DropPath {
     std::int64_t steps = 0;  // fixed ones, where the numerics ask for them
 };
 
-// What acts on the grain in the air, and how its run was made. The pointers may be null.
+// What acts on the grain in the air, and how its run was made. `missing` and `numerics` may be null.
 struct DropWorld {
     const OneGrain* grain;
     const MissingForce* missing;
     const cases::Numerics* numerics;
+    double into, along;  // m/s^2, of gravity: into the plate, and along x
 
-    double into() const;   // m/s^2, of gravity, into the plate
-    double along() const;  // m/s^2, of gravity, along x
+    DropWorld(const OneGrain&, const MissingForce*, const cases::Numerics*);
     bool ballistic() const;
     // N upward beside weight and drag, at a gap >= 0.
     double lift(const DropState&, double gap) const;

@@ -73,12 +73,10 @@ double Restitution::at(double speed) const {
     return e;
 }
 
-double Vibration::height(double t) const {
-    return amplitude == 0.0 ? 0.0 : amplitude * std::sin(omega * t + phase);
-}
-double Vibration::velocity(double t) const {
-    if (amplitude == 0.0) return 0.0;
-    return amplitude * omega * std::cos(omega * t + phase);
+Vibration::Motion Vibration::at(double t) const {
+    if (amplitude == 0.0) return {0.0, 0.0};
+    const double angle = omega * t + phase;
+    return {amplitude * std::sin(angle), amplitude * omega * std::cos(angle)};
 }
 double Vibration::acceleration(double t) const {
     return -amplitude * omega * omega * std::sin(omega * t + phase);

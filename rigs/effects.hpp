@@ -55,8 +55,12 @@ struct Restitution {
 
 struct Vibration {
     double amplitude = 0.0, omega = 0.0, phase = 0.0;  // m, rad/s, rad
-    double height(double t) const;                     // m
-    double velocity(double t) const;
+    struct Motion {
+        double height, velocity;  // m, m/s
+    };
+    Motion at(double t) const;
+    double height(double t) const { return at(t).height; }
+    double velocity(double t) const { return at(t).velocity; }
     double acceleration(double t) const;
 };
 

@@ -31,18 +31,19 @@ double gap_at(const Vibration& plate, const DropState& s) {
 // Steps that no crest of the plate can outrun: the gap bends by no more than g + A omega^2.
 double time_to_moving_plate(const DropWorld& world, const DropState& start, double horizon) {
     const Vibration& plate = world.grain->vibration;
-    const double bend = std::abs(world.into()) + plate.amplitude * plate.omega * plate.omega;
+    const double bend = std::abs(world.into) + plate.amplitude * plate.omega * plate.omega;
     const double least = 1e-13 * (plate.amplitude + start.z + 1e-12);
     double t = 0.0;
-    if (start.z > plate.amplitude) t = time_down(start.z - plate.amplitude, start.vz, world.into());
+    if (start.z > plate.amplitude) t = time_down(start.z - plate.amplitude, start.vz, world.into);
     while (t < horizon) {
-        const DropState s = thrown(world, start, t);
-        const double gap = gap_at(plate, s), rate = s.vz - plate.velocity(s.t);
+        const Vibration::Motion at = plate.at(start.t + t);
+        const double gap = start.z + (start.vz - 0.5 * world.into * t) * t - at.height;
+        const double rate = start.vz - world.into * t - at.velocity;
         if (gap <= least && rate < 0.0) return t;
         const double dt = time_down(std::max(gap, 0.0), rate, bend);
         // A grain that has just been let go leaves the plate with the third power of time: no step is shorter there than a
         // thousandth of a period, in which the two part by less than 1e-7 of the amplitude.
-        t += rate < 0.0 ? std::max(dt, 1e-15 * (std::abs(s.t) + 1e-9))
+        t += rate < 0.0 ? std::max(dt, 1e-15 * (std::abs(start.t + t) + 1e-9))
                         : std::max(dt, 6e-3 / plate.omega);
     }
     return horizon;
@@ -52,7 +53,7 @@ bool fly_freely(const DropWorld& world, DropState& s, DropRows& out) {
     const double horizon = std::max(0.0, out.rows.at.back() - s.t);
     const bool moving = world.grain->vibration.amplitude > 0.0;
     const double down = moving ? time_to_moving_plate(world, s, 1.000001 * horizon + 1e-9)
-                               : time_down(s.z, s.vz, world.into());
+                               : time_down(s.z, s.vz, world.into);
     while (!out.done() && out.rows.time() <= s.t + down)
         out.add(thrown(world, s, out.rows.time() - s.t));
     if (out.done() || down == never) return false;
@@ -68,7 +69,7 @@ struct Air {
     Unknowns<4> operator()(double t, const Unknowns<4>& y) const {
         const OneGrain& g = *world->grain;
         const DropState s{t, y[0], y[1], y[2], y[3], 0.0, regime->impact_speed, regime->bridged};
-        double ax = world->along(), az = -world->into();
+        double ax = world->along, az = -world->into;
         if (g.drag.factor != 0.0) {
             const double rate = g.drag.resistance(s.speed(), *newton) / g.mass;
             ax -= rate * s.vx, az -= rate * s.vz;
@@ -81,7 +82,7 @@ struct Air {
 // m/s^2, of all that pulls here, drag left out.
 double pull_at(const DropWorld& world, const DropState& s) {
     const double lift = world.lift(s, std::max(0.0, gap_at(world.grain->vibration, s)));
-    return std::abs(world.into() - lift / world.grain->mass) + std::abs(world.along());
+    return std::abs(world.into - lift / world.grain->mass) + std::abs(world.along);
 }
 
 // Scales that tell how small an error no longer counts.
@@ -159,7 +160,7 @@ bool fly_by_steps(const DropWorld& world, DropState& s, DropRows& out) {
 }  // namespace
 
 DropState thrown(const DropWorld& world, DropState s, double duration) {
-    const double along = world.along(), into = world.into();
+    const double along = world.along, into = world.into;
     s.t += duration;
     s.x += (s.vx + 0.5 * along * duration) * duration;
     s.z += (s.vz - 0.5 * into * duration) * duration;

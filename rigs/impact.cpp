@@ -30,7 +30,7 @@ Thrown stepped(const OneGrain& g, const cases::Numerics& numerics, const Approac
     const double depth = std::pow(
         1.25 * g.mass * in.normal * in.normal / (4.0 / 3.0 * g.e_star * std::sqrt(g.radius)), 0.4);
     const double end = 30.0 * depth / in.normal + 10.0 * step;
-    const DropState s = follow_drop({&g, nullptr, &numerics}, c, {end}).states.front();
+    const DropState s = follow_drop({g, nullptr, &numerics}, c, {end}).states.front();
     return {s.vz, s.vx, s.w};
 }
 

@@ -95,7 +95,8 @@ struct NormalMotion {
 
 }  // namespace
 
-OneContact::OneContact(const OneGrain& grain) : grain_(grain) {}
+OneContact::OneContact(const OneGrain& g)
+    : grain_(g), weight_(std::abs(g.gravity) * g.resting_overlap(g.mass * std::abs(g.gravity))) {}
 
 Rebound OneContact::touch(const Approach& in) {
     Rebound out{0.0, in.v, in.w, 0.0, 0.0, false};
@@ -118,8 +119,7 @@ void OneContact::drive_apart(const Approach& in, Rebound& out) {
         std::sqrt(5.0 / 3.0 * g.e_star * std::sqrt(g.radius) / g.mass / (1.0 + loss_ * loss_));
     depth_ = std::pow(1.25 * in.normal / omega, 0.8), speed_ = in.normal;
     // A touch so slow that the weight counts is no impact any more, and takes no time of its own.
-    const double weight = std::abs(g.gravity) * g.resting_overlap(g.mass * std::abs(g.gravity));
-    stretch_ = in.normal * in.normal / (in.normal * in.normal + weight);
+    stretch_ = in.normal * in.normal / (in.normal * in.normal + weight_);
     out.normal = e * in.normal;
     out.duration = stretch_ * depth_ / speed_ * whole_time(loss_);
     out.stays = e < least_restitution;

@@ -56,7 +56,7 @@ class OneContact {
     void slide_and_stick(double speed_unit, Rebound&) const;
 
     const OneGrain& grain_;
-    double friction_dashpot_ = 0.0;  // 2 sqrt(5/6) beta
+    double weight_;                  // m^2/s^2: gravity times the overlap at rest
     std::optional<double> sampled_;  // e of the profile
     Profile profile_;
     double depth_ = 0.0, speed_ = 0.0, loss_ = 0.0, stretch_ = 1.0;  // D, v, l of the last impact

@@ -27,7 +27,7 @@ void stay(const DropWorld& world, DropState& s, DropRows& out) {
     const OneGrain& g = *world.grain;
     const double hold = world.holding(), held = 2.0 * g.pull_off_force() / g.mass;
     const double sunk = g.resting_overlap(g.mass * hold);
-    const PlateForces forces{.along = world.along(),
+    const PlateForces forces{.along = world.along,
                              .press = hold + held,
                              .friction = g.friction,
                              .rolling_friction = g.rolling_friction,

@@ -139,7 +139,7 @@ class SteppedDrop {
     double overlap() const { return g_.vibration.height(s_.t) - s_.z; }
 
     Rates rates() {
-        Rates r{world_.along(), -world_.into(), 0.0};
+        Rates r{world_.along, -world_.into, 0.0};
         if (g_.drag.factor != 0.0) {
             const double speed = s_.speed();
             const double c = g_.drag.resistance(speed, g_.drag.beyond(speed)) / g_.mass;
@@ -201,8 +201,8 @@ class SteppedDrop {
     void jump() {
         DropState from = s_;
         const double shift = euler_ ? 0.5 * dt_ : 0.0;
-        from.vz += shift * world_.into(), from.vx -= shift * world_.along();
-        const double horizon = out_.rows.at.back() - s_.t, g = world_.into();
+        from.vz += shift * world_.into, from.vx -= shift * world_.along;
+        const double horizon = out_.rows.at.back() - s_.t, g = world_.into;
         const double square = from.vz * from.vz + 2.0 * g * std::max(s_.z, 0.0);
         double landing = horizon + 3.0 * dt_;
         if (square >= 0.0 && (g > 0.0 || from.vz < 0.0))
@@ -215,7 +215,7 @@ class SteppedDrop {
             out_.add(thrown(world_, from, out_.rows.time() - s_.t));
         const DropState end = thrown(world_, from, duration);
         s_.t = end.t, s_.x = end.x, s_.z = end.z;
-        s_.vx = end.vx + shift * world_.along(), s_.vz = end.vz - shift * world_.into();
+        s_.vx = end.vx + shift * world_.along, s_.vz = end.vz - shift * world_.into;
         out_.path.steps += static_cast<std::int64_t>(whole);
         rates_ = rates();
     }
