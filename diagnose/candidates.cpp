@@ -3,6 +3,7 @@
 
 #include "diagnose/catalogue.hpp"
 #include "diagnose/locate.hpp"
+#include "diagnose/starts.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -14,6 +15,7 @@
 #include <map>
 #include <mutex>
 #include <numeric>
+#include <set>
 #include <thread>
 
 namespace diagnose {
@@ -28,25 +30,6 @@ double log_sum(double a, double b) {
     return top + std::log(std::exp(a - top) + std::exp(b - top));
 }
 
-Hypothesised plus(const Problem& p, const Hypothesised& h, const Term& term) {
-    std::vector<const Term*> terms = h.terms;
-    terms.push_back(&term);
-    return p.hypothesis(std::move(terms));
-}
-
-// theta of `to`: what it shares with `from` from there, its last unknowns `own`.
-VectorXd carried(const Hypothesised& from, const VectorXd& theta, const Hypothesised& to,
-                 const VectorXd& own) {
-    VectorXd result = start_of(to.unknowns);
-    for (Index k = 0; k < result.size() - own.size(); ++k)
-        for (std::size_t n = 0; n < from.unknowns.size(); ++n)
-            if (from.unknowns[n].name == to.unknowns[static_cast<std::size_t>(k)].name &&
-                from.unknowns[n].key == to.unknowns[static_cast<std::size_t>(k)].key)
-                result[k] = theta[static_cast<Index>(n)];
-    result.tail(own.size()) = own;
-    return result;
-}
-
 // Evidence of the fit and, for the share of strengths that cannot be seen, of the hypothesis without the term.
 void weigh(Candidate& c, const Candidate* start) {
     c.log_evidence = c.fit.log_evidence;
@@ -54,64 +37,30 @@ void weigh(Candidate& c, const Candidate* start) {
         c.log_evidence = log_sum(c.log_evidence, start->log_evidence + std::log(c.unseen));
 }
 
-int grid_points(const Term& t, Index k) {
-    const std::string& key = t.unknowns[static_cast<std::size_t>(k)].key;
-    if (t.effect == "vibration") return key == "frequency" ? 40 : key == "phase" ? 6 : 3;
-    return k == 0 ? 8 : 4;
+// From how many places a fit is begun: a term of one unknown has few minima, others many.
+std::size_t places_of(const Term& term, std::size_t at_least) {
+    return term.effect == "vibration" ? 18 : term.unknowns.size() > 1 ? 3 * at_least : at_least;
 }
 
-// u at a share of the way from one end of a grid to the other: the range, or two deviations either side.
-double grid_value(const Unknown& x, double share) {
-    return x.prior == Prior::gaussian ? 4.0 * share - 2.0 : share;
-}
-
-std::vector<VectorXd> grid_of(const Term& t) {
-    const auto n = static_cast<Index>(t.unknowns.size());
-    std::vector<VectorXd> grid{VectorXd::Zero(n)};
-    for (Index k = 0; k < n; ++k) {
-        const int count = grid_points(t, k);
-        std::vector<VectorXd> finer;
-        for (const VectorXd& g : grid)
-            for (int c = 0; c < count; ++c)
-                finer.push_back(g), finer.back()[k] = grid_value(
-                                        t.unknowns[static_cast<std::size_t>(k)], (c + 0.5) / count);
-        grid = std::move(finer);
-    }
-    return grid;
-}
-
-// The term's own fit, and other strengths with its further unknowns as there.
-std::vector<VectorXd> near(const Term& t, const VectorXd& u) {
-    std::vector<VectorXd> list{u};
-    if (t.unknowns.empty()) return list;
-    const int count = grid_points(t, 0);
-    for (int c = 0; c < count; ++c)
-        list.push_back(u), list.back()[0] = grid_value(t.unknowns[0], (c + 0.5) / count);
-    return list;
-}
-
-struct Tried {
-    std::vector<std::pair<double, VectorXd>>
-        best_first;  // chi squared at first order, values of the term's unknowns
-    double unseen;   // share of the grid that moves nothing by a sigma
-};
-
-Tried tried_on(const Problem& p, const Whitener& w, const Candidate& start, const Hypothesised& h,
-               const Term& term, const std::vector<VectorXd>& grid) {
-    const Projection project(start.h.unknowns, start.fit);
-    const VectorXd left = project(start.fit.white);
-    Tried t{{}, 0.0};
-    for (const VectorXd& u : grid) {
-        const VectorXd values = to_theta(term.unknowns, u);
-        const VectorXd d = project(w(predicted(p, h, carried(start.h, start.fit.theta, h, values)) -
-                                     start.fit.prediction));
-        if (d.squaredNorm() < 1.0) t.unseen += 1.0 / static_cast<double>(grid.size());
-        const double chi = (left - d).squaredNorm();
-        if (std::isfinite(chi)) t.best_first.push_back({chi, values});
-    }
-    std::stable_sort(t.best_first.begin(), t.best_first.end(),
+// The best of fits from all places: where there are many, short ones first.
+Fit best_from(const Footing& on, const Hypothesised& h, const std::vector<VectorXd>& places,
+              int iterations) {
+    const bool many = places.size() > 2;
+    std::vector<std::pair<double, VectorXd>> ends;
+    for (const VectorXd& own : places)
+        for (const bool staged : {false, true}) {
+            const Fit f = fit(on.problem, on.whiten, h, carried(on, h, own), staged,
+                              many ? 5 : iterations);
+            ends.push_back({f.objective(), f.theta});
+        }
+    std::stable_sort(ends.begin(), ends.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
-    return t;
+    Fit best;
+    for (std::size_t k = 0; k < std::min<std::size_t>(ends.size(), many ? 2 : 1); ++k) {
+        Fit f = fit(on.problem, on.whiten, h, ends[k].second, false, iterations);
+        if (k == 0 || f.objective() < best.objective()) best = std::move(f);
+    }
+    return best;
 }
 
 }  // namespace
@@ -139,25 +88,16 @@ void in_parallel(std::size_t count, int threads, const std::function<void(std::s
 }
 
 Candidate extended(const Problem& p, const Whitener& w, const Candidate& start, const Term& term) {
+    const Footing on{p, w, start.h, start.fit};
     Candidate c{.h = plus(p, start.h, term), .fit = {}};
     if (term.unknowns.empty()) {
-        c.fit = fit(p, w, c.h, carried(start.h, start.fit.theta, c.h, VectorXd(0)), true);
+        c.fit = fit(p, w, c.h, carried(on, c.h, VectorXd(0)), true);
         c.log_evidence = c.fit.log_evidence;
         return c;
     }
-    const Tried tried = tried_on(p, w, start, c.h, term, grid_of(term));
-    c.unseen = tried.unseen;
-    std::vector<std::pair<VectorXd, bool>> starts;
-    for (std::size_t k = 0; k < std::min<std::size_t>(2, tried.best_first.size()); ++k)
-        starts.push_back({tried.best_first[k].second, false});
-    if (!starts.empty()) starts.push_back({tried.best_first.front().second, true});
-    if (tried.best_first.size() > 4)
-        starts.push_back({tried.best_first[tried.best_first.size() / 2].second, true});
-    bool first = true;
-    for (const auto& [values, staged] : starts) {
-        Fit f = fit(p, w, c.h, carried(start.h, start.fit.theta, c.h, values), staged);
-        if (first || f.objective() < c.fit.objective()) c.fit = std::move(f), first = false;
-    }
+    const Starts starts = starts_of(on, term);
+    c.unseen = starts.unseen;
+    c.fit = best_from(on, c.h, distinct(term, starts, places_of(term, 2)), 25);
     weigh(c, &start);
     return c;
 }
@@ -173,27 +113,27 @@ std::vector<Candidate> pairs_of(const Problem& p, const Whitener& w,
     struct Pair {
         std::size_t start, added;
         double chi_squared = std::numeric_limits<double>::max();
-        VectorXd own{};
+        std::vector<VectorXd> own{};  // where its fit begins
     };
     std::vector<Pair> list;
     for (std::size_t a = 0; a < std::min(beam, order.size()); ++a)
         for (std::size_t b = 0; b < order.size(); ++b)
             if (singles[order[a]].h.terms[0]->effect != singles[order[b]].h.terms[0]->effect &&
-                (b >= beam || b > a))
+                (b >= beam || b > a) &&
+                (a < 2 || singles[order[b]].h.terms[0]->effect != "vibration"))
                 list.push_back({order[a], order[b]});
     in_parallel(list.size(), threads, [&](std::size_t k) {
         Pair& pair = list[k];
         const Candidate& start = singles[pair.start];
         const Term& term = *singles[pair.added].h.terms[0];
-        const Hypothesised h = plus(p, start.h, term);
         const auto own = static_cast<Index>(term.unknowns.size());
-        const Tried tried =
-            tried_on(p, w, start, h, term,
-                     near(term, to_u(term.unknowns, singles[pair.added].fit.theta.tail(own))));
-        if (tried.best_first.empty()) return;
+        const Starts starts =
+            starts_beside({p, w, start.h, start.fit}, term,
+                          to_u(term.unknowns, singles[pair.added].fit.theta.tail(own)));
+        if (starts.best_first.empty()) return;
         pair.chi_squared =
-            tried.best_first.front().first + start.fit.penalty + 3.0 * static_cast<double>(own);
-        pair.own = tried.best_first.front().second;
+            starts.best_first.front().first + start.fit.penalty + 3.0 * static_cast<double>(own);
+        pair.own = distinct(term, starts, term.effect == "vibration" ? 8 : places_of(term, 1));
     });
     std::stable_sort(list.begin(), list.end(),
                      [](const Pair& a, const Pair& b) { return a.chi_squared < b.chi_squared; });
@@ -206,9 +146,18 @@ std::vector<Candidate> pairs_of(const Problem& p, const Whitener& w,
         const Candidate& start = singles[list[k].start];
         const Term& term = *singles[list[k].added].h.terms[0];
         Candidate c{.h = plus(p, start.h, term), .fit = {}};
-        c.fit = fit(p, w, c.h, carried(start.h, start.fit.theta, c.h, list[k].own), false, 15);
+        c.fit = best_from({p, w, start.h, start.fit}, c.h, list[k].own, 15);
         c.log_evidence = c.fit.log_evidence;
         pairs[k] = std::move(c);
+    });
+    // Two effects of which one shows nothing that the other leaves (3 sigma) are that other.
+    std::erase_if(pairs, [&](const Candidate& pair) {
+        return std::any_of(singles.begin(), singles.end(), [&](const Candidate& single) {
+            const Term* term = single.h.terms.front();
+            return std::find(pair.h.terms.begin(), pair.h.terms.end(), term) !=
+                       pair.h.terms.end() &&
+                   single.fit.objective() < pair.fit.objective() + 9.0;
+        });
     });
     return pairs;
 }
@@ -221,11 +170,12 @@ void refit(const Problem& p, const Whitener& w, Candidate& c, const Candidate* s
 std::vector<Candidate> with_missing_force(const Problem& p, const Whitener& w,
                                           const Candidate& start, std::vector<Term>& terms) {
     constexpr std::size_t knots = 8;
-    // Range of every variable of the state over all recordings, of one rig.
+    // Range of every variable of the state over all recordings that have it.
     std::map<std::string, std::pair<double, double>> ranges;
+    std::map<std::string, std::set<std::string>> rigs;
     double weight = 0.0;
     for (const Record& r : p.records) {
-        if (r.experiment->rig == "impact") return {};
+        if (r.experiment->rig == "impact") continue;  // no force acts for long there
         const double d = r.experiment->grain.diameter.value.value();
         weight =
             std::max(weight, r.experiment->grain.density.value.value() * 0.5236 * d * d * d * 9.81);
@@ -234,6 +184,7 @@ std::vector<Candidate> with_missing_force(const Problem& p, const Whitener& w,
                 if (std::isfinite(v)) weight = std::max(weight, 0.05 * std::abs(v));
         for (const auto& [name, values] :
              r.model->variables(world_at(p, start.h, start.fit.theta, r), r.ordinates)) {
+            rigs[name].insert(r.experiment->rig);
             auto& range = ranges
                               .try_emplace(name, std::numeric_limits<double>::max(),
                                            std::numeric_limits<double>::lowest())
@@ -242,11 +193,13 @@ std::vector<Candidate> with_missing_force(const Problem& p, const Whitener& w,
                 if (std::isfinite(v)) range = {std::min(range.first, v), std::max(range.second, v)};
         }
     }
+    const Footing on{p, w, start.h, start.fit};
     terms.clear();
     terms.reserve(ranges.size());
     for (const auto& [name, range] : ranges)
         if (range.second > range.first && name != "impact_speed")
-            terms.push_back(missing_force(name, range.first, range.second, knots, weight));
+            terms.push_back(missing_force(name, range.first, range.second, knots, weight)),
+                terms.back().missing_rigs = rigs[name];
     const Projection project(start.h.unknowns, start.fit);
     const VectorXd left = project(start.fit.white);
     std::vector<Candidate> all;
@@ -256,8 +209,8 @@ std::vector<Candidate> with_missing_force(const Problem& p, const Whitener& w,
         for (std::size_t k = 0; k < knots; ++k) {
             VectorXd own = VectorXd::Zero(static_cast<Index>(knots));
             own[static_cast<Index>(k)] = 1e-3 * weight;
-            const VectorXd up = predicted(p, h, carried(start.h, start.fit.theta, h, own));
-            const VectorXd down = predicted(p, h, carried(start.h, start.fit.theta, h, -own));
+            const VectorXd up = predicted(p, h, carried(on, h, own));
+            const VectorXd down = predicted(p, h, carried(on, h, -own));
             slopes.col(static_cast<Index>(k)) = project(w((up - down) / 2e-3));  // per weight
         }
         // Size of greatest evidence, at first order: log det(1 + s^2 A) and b' (A + 1/s^2)^-1 b.
@@ -279,9 +232,8 @@ std::vector<Candidate> with_missing_force(const Problem& p, const Whitener& w,
         h = plus(p, start.h, term);
         Candidate c{.h = h,
                     .fit = fit(p, w, h,
-                               carried(start.h, start.fit.theta, h,
-                                       VectorXd::Zero(static_cast<Index>(knots))),
-                               false, 10)};
+                               carried(on, h, VectorXd::Zero(static_cast<Index>(knots))), false,
+                               10)};
         // The size was chosen among some 20, the variable among those there are.
         c.log_evidence = c.fit.log_evidence - 2.0;
         all.push_back(std::move(c));

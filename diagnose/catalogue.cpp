@@ -118,7 +118,7 @@ const std::vector<Entry>& entries() {
          {},
          true,
          [](const Sizes& s) {
-             return U{range("dynamic_friction", "1", 0.0, 1.2, 0.2),
+             return U{log_range("dynamic_friction", "1", 3e-3, 1.2),
                       log_range("friction_velocity", "m/s", 3e-3 * s.speed, 3.0 * s.speed)};
          }},
         {"tangential_compliance",
@@ -132,11 +132,10 @@ const std::vector<Entry>& entries() {
         {"vibration",
          {},
          false,
-         [](const Sizes& s) {
-             return U{
-                 log_range("amplitude", "m", 1e-7, 1e-2 * std::max(0.1, s.speed * s.speed / 20.0)),
-                 log_range("frequency", "Hz", 2.0, 500.0),
-                 range("phase", "rad", 0.0, 2.0 * pi, 1.0)};
+         [](const Sizes&) {
+             return U{log_range("amplitude", "m", 1e-7, 1e-2),
+                      log_range("frequency", "Hz", 2.0, 500.0),
+                      range("phase", "rad", 0.0, 2.0 * pi, 1.0)};
          }},
     };
     return table;

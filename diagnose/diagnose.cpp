@@ -29,7 +29,8 @@ using Eigen::VectorXd;
 constexpr double prior_none = 0.35, prior_unknown = 0.07, prior_singles = 0.48, prior_pairs = 0.10;
 constexpr double own_level = 0.01;    // below it a model fails its own test of mismatch
 constexpr double far_apart = 3.0;     // sigma between two hypotheses that recordings can tell apart
-constexpr double odds_to_name = 3.0;  // log odds against every rival
+constexpr double sure = 0.75;         // probability at which rivals that recordings can tell apart are out
+constexpr double close_odds = 3.0;    // log odds of a rival that is not to be left aside where the winner is not sure
 constexpr int draws = 1999;
 
 struct Judge {
@@ -67,6 +68,7 @@ struct Judge {
     void estimate_noise();
     void refit_all();
     double own_p(const Candidate&, int n) const;
+    bool one_is_enough() const;
     Mismatch test(const Candidate&, int n) const;
 };
 
@@ -111,6 +113,17 @@ Mismatch Judge::test(const Candidate& c, int n) const {
 }
 
 double Judge::own_p(const Candidate& c, int n) const { return test(c, n).p_value; }
+
+// Whether the effect of most evidence leaves nothing to a second one: it passes its own test of mismatch and all gates.
+bool Judge::one_is_enough() const {
+    const auto best = std::max_element(singles.begin(), singles.end(),
+                                       [](const Candidate& a, const Candidate& b) {
+                                           return a.log_evidence < b.log_evidence;
+                                       });
+    if (best == singles.end()) return false;
+    const double p = own_p(*best, 399);
+    return p >= 0.05 && passes(gates({problem, *whiten, base, *best, p, std::nan("")}, 0));
+}
 
 // A name with all that carries it: the variants of a single, a pair in either order, the forces along each variable.
 struct Group {
@@ -356,10 +369,11 @@ void decide(Judge& j) {
                               : own.contains(&g) ? own[&g] >= own_level
                                                  : j.own_p(*g.best, 399) >= own_level;
         double apart = separation(both, w, truth, carried_over(both, *g.best));
-        const bool alike = behind < odds_to_name || apart < far_apart;
+        const bool close = behind < close_odds && winner->probability < sure;
         // Chance is the first rival of any name.
-        if (g.effects.empty() && behind < odds_to_name) apart = 0.0;
-        if (alike && (explains || behind < odds_to_name) && apart < nearest)
+        const bool by_chance = g.effects.empty() && behind < close_odds;
+        if (by_chance) apart = 0.0;
+        if (((apart < far_apart && explains) || close || by_chance) && apart < nearest)
             nearest = apart, rival = &g;
     }
     std::vector<const Term*> named_terms = winner->best->h.terms;
@@ -439,15 +453,7 @@ Verdict diagnose(const cases::Case& given, const Settings& settings,
     if (v.p_value <= settings.alpha) {
         j.report(0.5, "forces that no law explains");
         j.forces = with_missing_force(j.problem, *j.whiten, j.base, j.force_terms);
-        double best_own = 0.0;
-        std::vector<const Candidate*> order;
-        for (const Candidate& c : j.singles) order.push_back(&c);
-        std::stable_sort(order.begin(), order.end(), [](const Candidate* a, const Candidate* b) {
-            return a->log_evidence > b->log_evidence;
-        });
-        for (std::size_t k = 0; k < std::min<std::size_t>(2, order.size()); ++k)
-            best_own = std::max(best_own, j.own_p(*order[k], 399));
-        if (best_own < 0.02) {
+        if (!j.one_is_enough()) {
             j.report(0.55, "pairs of effects");
             j.pairs = pairs_of(j.problem, *j.whiten, j.singles, 4, 10, settings.threads);
         }

@@ -173,20 +173,6 @@ struct Solver {
     }
 };
 
-// The first `share` of the rows of recordings over time.
-VectorXd early_rows(const Problem& p, double share) {
-    VectorXd weight = VectorXd::Ones(static_cast<Index>(p.size));
-    for (const Record& r : p.records) {
-        if (r.ordinate != "t" || share >= 1.0) continue;
-        for (const Channel& c : r.channels)
-            for (std::size_t k =
-                     static_cast<std::size_t>(share * static_cast<double>(c.recorded.size()));
-                 k < c.recorded.size(); ++k)
-                weight[static_cast<Index>(c.first + k)] = 0.0;
-    }
-    return weight;
-}
-
 bool over_time(const Problem& p) {
     return std::any_of(p.records.begin(), p.records.end(),
                        [](const Record& r) { return r.ordinate == "t"; });
@@ -220,6 +206,19 @@ Fit finished(const Solver& s, const VectorXd& u) {
 }
 
 }  // namespace
+
+VectorXd early_rows(const Problem& p, double share) {
+    VectorXd weight = VectorXd::Ones(static_cast<Index>(p.size));
+    for (const Record& r : p.records) {
+        if (r.ordinate != "t" || share >= 1.0) continue;
+        for (const Channel& c : r.channels)
+            for (std::size_t k =
+                     static_cast<std::size_t>(share * static_cast<double>(c.recorded.size()));
+                 k < c.recorded.size(); ++k)
+                weight[static_cast<Index>(c.first + k)] = 0.0;
+    }
+    return weight;
+}
 
 VectorXd to_theta(const std::vector<Unknown>& list, const VectorXd& u) {
     VectorXd theta(u.size());

@@ -29,6 +29,9 @@ Eigen::VectorXd to_u(const std::vector<Unknown>&,
                      const Eigen::VectorXd& theta);     // clipped to the hard ends
 Eigen::VectorXd start_of(const std::vector<Unknown>&);  // theta
 
+// [size]: 1 in the first `share` of the rows of each recording over time, and in all rows of others; else 0.
+Eigen::VectorXd early_rows(const Problem&, double share);
+
 // From `start` (theta). Where `staged`, first the early rows of each recording over time alone, then more: bounces that are
 // out of step would otherwise hold the fit in a local minimum. `iterations` of the last stage at most.
 Fit fit(const Problem&, const Whitener&, const Hypothesised&, const Eigen::VectorXd& start,

@@ -23,6 +23,6 @@ struct GateInput {
 // Of the `which`-th term of the winner.
 std::vector<Gate> gates(const GateInput&, std::size_t which);
 
-bool passes(const std::vector<Gate>&);  // none failed; range, placebo and own_mismatch passed
+bool passes(const std::vector<Gate>&);  // none failed; range and own_mismatch passed
 
 }  // namespace diagnose

@@ -188,6 +188,13 @@ std::vector<Shape> shapes(const Problem& p, const Whitener& w, const Hypothesise
                 own[0] = std::min(nothing + 0.004 * (term.unknowns[0].high - term.unknowns[0].low),
                                   term.unknowns[0].high);
                 add(t, true, maker.shape(extended, own));
+                if (term.effect != "velocity_dependent_friction") continue;
+                // A grain that grips feels nothing of a little more or less friction.
+                for (const double share : {0.1, 0.3, 3.0}) {
+                    own[0] = std::clamp(share * nothing, term.unknowns[0].low,
+                                        term.unknowns[0].high);
+                    add(t, false, maker.shape(extended, own));
+                }
                 continue;
             }
             const bool falling = term.effect == "plastic_restitution";  // strongest at the low end

@@ -210,10 +210,10 @@ rigs::World world_at(const Problem& p, const Hypothesised& h, const Eigen::Vecto
         if (t->effect == "tangential_compliance")
             world.physics.erase("hertz_coulomb"),
                 world.physics.insert({"hertz_mindlin", t->effect});
-        else if (!t->missing_variable.empty())
+        else if (!t->missing_variable.empty() && t->missing_rigs.contains(record.experiment->rig))
             world.missing = rigs::MissingForce{t->missing_variable, t->missing_knots,
                                                std::vector<double>(t->missing_knots.size(), 0.0)};
-        else if (t->channel.empty() && t->effect != "time_base")
+        else if (t->missing_variable.empty() && t->channel.empty() && t->effect != "time_base")
             world.physics.insert(t->effect);
     }
     for (std::size_t k = 0; k < h.unknowns.size(); ++k) {

@@ -46,7 +46,7 @@ class OneContact {
         std::vector<double> stiffness;  // of Mindlin's spring
         std::vector<double> dashpot;
         std::vector<double> shrunk;  // contact radius over that of the node before, at most 1
-        double impulse = 0.0;        // of cap, in all
+        double impulse = 0.0;        // of cap, in all, by the same rule as that of friction
     };
 
     void drive_apart(const Approach&, Rebound&);  // closed form
