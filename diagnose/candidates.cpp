@@ -25,11 +25,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-double log_sum(double a, double b) {
-    const double top = std::max(a, b);
-    return top + std::log(std::exp(a - top) + std::exp(b - top));
-}
-
 // Evidence of the fit and, for the share of strengths that cannot be seen, of the hypothesis without the term.
 void weigh(Candidate& c, const Candidate* start) {
     c.log_evidence = c.fit.log_evidence;
@@ -64,6 +59,11 @@ Fit best_from(const Footing& on, const Hypothesised& h, const std::vector<Vector
 }
 
 }  // namespace
+
+double log_sum(double a, double b) {
+    const double top = std::max(a, b);
+    return top + std::log(std::exp(a - top) + std::exp(b - top));
+}
 
 void in_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& f) {
     std::atomic<std::size_t> next{0};
@@ -116,12 +116,17 @@ std::vector<Candidate> pairs_of(const Problem& p, const Whitener& w,
         std::vector<VectorXd> own{};  // where its fit begins
     };
     std::vector<Pair> list;
-    for (std::size_t a = 0; a < std::min(beam, order.size()); ++a)
+    // Each two once, from the better of them; a vibration beside the two best others, since alone it may have found another
+    // frequency.
+    const auto effect = [&](std::size_t rank) { return singles[order[rank]].h.terms[0]->effect; };
+    std::size_t others = 0;
+    for (std::size_t a = 0; a < std::min(beam, order.size()); ++a) {
+        others += effect(a) != "vibration";
         for (std::size_t b = 0; b < order.size(); ++b)
-            if (singles[order[a]].h.terms[0]->effect != singles[order[b]].h.terms[0]->effect &&
-                (b >= beam || b > a) &&
-                (a < 2 || singles[order[b]].h.terms[0]->effect != "vibration"))
+            if (effect(a) != effect(b) &&
+                (effect(b) == "vibration" ? others <= 2 : b >= beam || b > a))
                 list.push_back({order[a], order[b]});
+    }
     in_parallel(list.size(), threads, [&](std::size_t k) {
         Pair& pair = list[k];
         const Candidate& start = singles[pair.start];

@@ -43,6 +43,8 @@ std::vector<Candidate> with_missing_force(const Problem&, const Whitener&, const
 // apart. The problem may hold further experiments than those of the fits.
 double separation(const Problem&, const Whitener&, const Candidate& truth, const Candidate& other);
 
+double log_sum(double a, double b);  // of exp(a) + exp(b)
+
 // f(0) .. f(count - 1) on so many threads.
 void in_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& f);
 

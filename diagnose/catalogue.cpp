@@ -128,7 +128,12 @@ const std::vector<Entry>& entries() {
         {"tilt",
          {},
          true,
-         [](const Sizes&) { return U{range("tilt_angle", "rad", -0.26, 0.26, 0.02)}; }},
+         [](const Sizes& s) {
+             // A fall shows its part along x alone; a plane leans one way or the other.
+             if (!s.rigs.contains("drop")) return U{range("tilt_angle", "rad", -0.26, 0.26, 0.0)};
+             return U{range("tilt_angle", "rad", 0.0, 0.26, 0.0),
+                      range("tilt_azimuth", "rad", -pi, pi, 0.0)};
+         }},
         {"vibration",
          {},
          false,

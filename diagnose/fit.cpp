@@ -26,13 +26,6 @@ double reduced(const Unknown& x, double value) {
     if (x.prior == Prior::log_uniform) return std::log(value / x.low) / std::log(x.high / x.low);
     return (value - x.low) / (x.high - x.low);
 }
-double lowest(const Unknown& x) {
-    return x.prior == Prior::gaussian ? (x.low - x.mean) / x.deviation : 0.0;
-}
-double highest(const Unknown& x) {
-    return x.prior == Prior::gaussian ? (x.high - x.mean) / x.deviation : 1.0;
-}
-
 VectorXd clipped(const std::vector<Unknown>& list, VectorXd u) {
     for (Index k = 0; k < u.size(); ++k) {
         const Unknown& x = list[static_cast<std::size_t>(k)];
@@ -47,6 +40,7 @@ struct Solver {
     const Hypothesised& h;
     VectorXd weight;  // [size], 0 or 1
     const VectorXd& recorded;
+    Index held = -1;  // an unknown that stays where it is
 
     VectorXd predict(const VectorXd& u, int only = -1) const {
         return predicted(problem, h, to_theta(h.unknowns, u), only);
@@ -77,6 +71,10 @@ struct Solver {
     MatrixXd slopes(const VectorXd& u, const VectorXd& here) const {
         MatrixXd j(static_cast<Index>(problem.size), u.size());
         for (Index k = 0; k < u.size(); ++k) {
+            if (k == held) {
+                j.col(k).setZero();
+                continue;
+            }
             const Unknown& x = h.unknowns[static_cast<std::size_t>(k)];
             const double h_step =
                 u[k] + difference_step > highest(x) ? -difference_step : difference_step;
@@ -152,9 +150,9 @@ struct Solver {
         std::vector<Index> open;
         for (Index k = 0; k < u.size(); ++k) {
             const Unknown& x = h.unknowns[static_cast<std::size_t>(k)];
-            const bool held = (u[k] <= lowest(x) && gradient[k] < 0.0) ||
-                              (u[k] >= highest(x) && gradient[k] > 0.0);
-            if (!held) open.push_back(k);
+            const bool stopped = (u[k] <= lowest(x) && gradient[k] < 0.0) ||
+                                 (u[k] >= highest(x) && gradient[k] > 0.0);
+            if (!stopped && k != held) open.push_back(k);
         }
         const auto n = static_cast<Index>(open.size());
         MatrixXd a(n, n);
@@ -220,6 +218,13 @@ VectorXd early_rows(const Problem& p, double share) {
     return weight;
 }
 
+double lowest(const Unknown& x) {
+    return x.prior == Prior::gaussian ? (x.low - x.mean) / x.deviation : 0.0;
+}
+double highest(const Unknown& x) {
+    return x.prior == Prior::gaussian ? (x.high - x.mean) / x.deviation : 1.0;
+}
+
 VectorXd to_theta(const std::vector<Unknown>& list, const VectorXd& u) {
     VectorXd theta(u.size());
     for (Index k = 0; k < u.size(); ++k)
@@ -254,6 +259,15 @@ Fit fit_to(const Problem& p, const Whitener& w, const Hypothesised& h, const Vec
 Fit fit(const Problem& p, const Whitener& w, const Hypothesised& h, const VectorXd& start,
         bool staged, int iterations) {
     return fit_to(p, w, h, p.recorded, start, staged, iterations);
+}
+
+Held fit_holding(const Problem& p, const Whitener& w, const Hypothesised& h, const VectorXd& theta,
+                 Index k, double at, int iterations) {
+    VectorXd u = to_u(h.unknowns, theta);
+    u[k] = at;
+    const Solver s{p, w, h, early_rows(p, 1.0), p.recorded, k};
+    u = s.solve(u, iterations);
+    return {s.objective(s.white(s.predict(u)), u), to_theta(h.unknowns, u)};
 }
 
 Fit fit_base(const Problem& p, const Whitener& w, const Hypothesised& h) {

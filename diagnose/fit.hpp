@@ -24,6 +24,8 @@ struct Fit {
     double objective() const { return chi_squared + penalty; }
 };
 
+double lowest(const Unknown&);  // u of the hard ends
+double highest(const Unknown&);
 Eigen::VectorXd to_theta(const std::vector<Unknown>&, const Eigen::VectorXd& u);
 Eigen::VectorXd to_u(const std::vector<Unknown>&,
                      const Eigen::VectorXd& theta);     // clipped to the hard ends
@@ -40,6 +42,14 @@ Fit fit(const Problem&, const Whitener&, const Hypothesised&, const Eigen::Vecto
 // The same against another long vector in place of what was recorded.
 Fit fit_to(const Problem&, const Whitener&, const Hypothesised&, const Eigen::VectorXd& recorded,
            const Eigen::VectorXd& start, bool staged = true, int iterations = 25);
+
+// Unknown k stays at `at` (u), the others are refitted from `theta`.
+struct Held {
+    double objective;
+    Eigen::VectorXd theta;
+};
+Held fit_holding(const Problem&, const Whitener&, const Hypothesised&, const Eigen::VectorXd& theta,
+                 Eigen::Index k, double at, int iterations);
 
 // The user's model from its stated values and from a grid over the range of each free parameter; the best.
 Fit fit_base(const Problem&, const Whitener&, const Hypothesised&);

@@ -17,7 +17,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double own_level = 0.01;
 constexpr double deviations = 3.3;  // two-sided 1 in 1000
 
 // Place of the term's first unknown in the winner's list; -1 where it has none.
@@ -96,10 +95,8 @@ Gate regimes_gate(const GateInput& in, std::size_t which) {
     const auto free = static_cast<Index>(columns.size()) - 1;
     MatrixXd m(columns.front().size(), free);
     for (Index k = 0; k < free; ++k) m.col(k) = columns[static_cast<std::size_t>(k)];
-    const double gain = gain_of(in.winner.fit, m), n = static_cast<double>(free);
-    // Wilson and Hilferty's normal for chi squared.
-    const double z = (std::cbrt(gain / n) - (1.0 - 2.0 / (9.0 * n))) / std::sqrt(2.0 / (9.0 * n));
-    const bool same = z < deviations;
+    const double gain = gain_of(in.winner.fit, m);
+    const bool same = normal_of_squares(gain, static_cast<double>(free)) < deviations;
     return {"regimes", same ? GateResult::passed : GateResult::failed,
             fmt::format("One value {} {} recordings (chi squared {:.1f} for {} differences).",
                         same ? "serves all" : "does not serve all", columns.size(), gain, free)};

@@ -2,8 +2,7 @@
 // What an effect must pass before it is named (docs/diagnose.md): a gate is passed, failed, or untestable with these recordings.
 #pragma once
 
-#include "diagnose/candidates.hpp"
-#include "diagnose/locate.hpp"
+#include "diagnose/judge.hpp"
 #include "diagnose/verdict.hpp"
 
 #include <vector>

@@ -19,11 +19,6 @@ using Eigen::VectorXd;
 
 using Series = std::vector<Index>;  // places in the long vector, in some order
 
-// A sum of squares of L normal numbers as one normal number (Wilson and Hilferty 1931).
-double normal_of_squares(double sum, double count) {
-    return (std::cbrt(sum / count) - (1.0 - 2.0 / (9.0 * count))) / std::sqrt(2.0 / (9.0 * count));
-}
-
 double largest_window(const VectorXd& r, const Series& s) {
     const std::size_t n = s.size();
     if (n < 4) return 0.0;
@@ -134,6 +129,10 @@ struct ShapeMaker {
 };
 
 }  // namespace
+
+double normal_of_squares(double sum, double count) {
+    return (std::cbrt(sum / count) - (1.0 - 2.0 / (9.0 * count))) / std::sqrt(2.0 / (9.0 * count));
+}
 
 Projection::Projection(const std::vector<Unknown>& unknowns, const Fit& f) : jacobian_(f.jacobian) {
     MatrixXd normal = jacobian_.transpose() * jacobian_;

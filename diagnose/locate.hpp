@@ -19,6 +19,9 @@
 
 namespace diagnose {
 
+// A sum of squares of so many normal numbers as one normal number (Wilson and Hilferty 1931).
+double normal_of_squares(double sum, double count);
+
 // One direction in which an effect would move the recordings: unit length, whitened, projected.
 struct Shape {
     std::size_t term;  // of the catalogue

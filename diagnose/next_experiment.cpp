@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <limits>
 
 namespace diagnose {
 namespace {
@@ -132,7 +132,7 @@ struct Tried {
     std::map<std::string, double> noise;
 };
 
-Tried tried(const Problem& p, const Noise& noise, const Candidate& a, const Candidate& b,
+Tried tried(const Problem& p, const Noise& noise, const std::vector<const Candidate*>& alike,
             const Design& d) {
     cases::Case with = *p.given;
     std::erase_if(with.experiments, [](const cases::Experiment& e) { return e.held_out; });
@@ -148,7 +148,7 @@ Tried tried(const Problem& p, const Noise& noise, const Candidate& a, const Cand
     Tried result;
     {
         const Problem alone = problem_of(with);
-        const Candidate shown = carried_over(alone, a);
+        const Candidate shown = carried_over(alone, *alike.front());
         const Record& last = alone.records.back();
         for (const Channel& c : last.channels) {
             double& sd = with.experiments.back().noise[c.name];
@@ -160,8 +160,12 @@ Tried tried(const Problem& p, const Noise& noise, const Candidate& a, const Cand
     }
     const Problem both = problem_of(with);
     const Whitener w(both, noise_like(both, p, noise));
-    const Candidate x = carried_over(both, a), y = carried_over(both, b);
-    result.sigma = std::min(separation(both, w, x, y), separation(both, w, y, x));
+    std::vector<Candidate> there;
+    for (const Candidate* c : alike) there.push_back(carried_over(both, *c));
+    result.sigma = std::numeric_limits<double>::max();
+    for (const Candidate& x : there)
+        for (const Candidate& y : there)
+            if (&x != &y) result.sigma = std::min(result.sigma, separation(both, w, x, y));
     for (const Channel& c : both.records.back().channels) result.noise[c.name] = c.stated_noise;
     return result;
 }
@@ -169,13 +173,13 @@ Tried tried(const Problem& p, const Noise& noise, const Candidate& a, const Cand
 }  // namespace
 
 std::optional<NextExperiment> next_experiment(const Problem& p, const Noise& noise,
-                                              const Candidate& first, const Candidate& second,
+                                              const std::vector<const Candidate*>& alike,
                                               int threads) {
     const std::vector<Design> list = designs(p);
     std::vector<Tried> outcome(list.size());
     in_parallel(list.size(), threads, [&](std::size_t k) {
         try {
-            outcome[k] = tried(p, noise, first, second, list[k]);
+            outcome[k] = tried(p, noise, alike, list[k]);
         } catch (const std::exception&) {
             outcome[k] = {};  // a rig that this model does not run on
         }
@@ -185,6 +189,8 @@ std::optional<NextExperiment> next_experiment(const Problem& p, const Noise& noi
         if (outcome[k].sigma > outcome[best].sigma) best = k;
     if (list.empty() || !(outcome[best].sigma > 0.0)) return std::nullopt;
     const Design& d = list[best];
+    std::vector<std::string> names;
+    for (const Candidate* c : alike) names.push_back(c->name());
     return NextExperiment{.rig = d.rig,
                           .conditions = d.conditions,
                           .grain = d.grain,
@@ -197,10 +203,10 @@ std::optional<NextExperiment> next_experiment(const Problem& p, const Noise& noi
                           .to = d.to,
                           .rows = d.rows,
                           .noise = outcome[best].noise,
-                          .between = {first.name(), second.name()},
+                          .between = names,
                           .separation_sigma = outcome[best].sigma,
-                          .why = fmt::format("It would set {} and {} {:.1f} sigma apart.",
-                                             first.name(), second.name(), outcome[best].sigma)};
+                          .why = fmt::format("It would set {} {:.1f} sigma apart.",
+                                             fmt::join(names, " and "), outcome[best].sigma)};
 }
 
 std::unique_ptr<Planned> with_held_out(const Problem& p, const Noise& noise) {

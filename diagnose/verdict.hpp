@@ -111,6 +111,7 @@ struct Verdict {
     double p_value;  // global
     std::vector<Located> located;
     std::vector<Hypothesis> hypotheses;  // falling probability, sum 1
+    std::vector<std::vector<std::string>> alike;  // names of those that cannot be told apart
     std::vector<Effect> effects;         // falling probability
     std::optional<Scores> fit, held_out;
     std::vector<Estimate> refitted;

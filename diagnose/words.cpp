@@ -133,10 +133,13 @@ std::vector<std::string> summary_of(const Verdict& v) {
         if (e.named) named.push_back(e.name);
     if (v.answer == Answer::explained)
         list.push_back(fmt::format("What was left out: {}.", joined(named)));
-    if (v.answer == Answer::ambiguous && v.hypotheses.size() > 1)
-        list.push_back(fmt::format("These recordings cannot tell {} from {}.",
-                                   joined(v.hypotheses[0].effects),
-                                   joined(v.hypotheses[1].effects)));
+    if (v.answer == Answer::ambiguous && v.alike.size() > 1) {
+        std::string others;
+        for (std::size_t k = 1; k < v.alike.size(); ++k)
+            others += (k > 1 ? " or " : "") + joined(v.alike[k]);
+        list.push_back(
+            fmt::format("These recordings cannot tell {} from {}.", joined(v.alike[0]), others));
+    }
     if (v.answer == Answer::unexplained) {
         list.emplace_back("Nothing in the catalogue, nor any pair of effects, explains it.");
         for (const Effect& e : v.effects)

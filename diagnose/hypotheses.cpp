@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "diagnose/hypotheses.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace diagnose {
+namespace {
+
+// Prior over hypotheses, before any recording is seen (docs/diagnose.md).
+constexpr double prior_none = 0.35, prior_unknown = 0.07, prior_singles = 0.48, prior_pairs = 0.10;
+
+}  // namespace
+
+std::vector<Group> groups_of(const Judge& j) {
+    std::map<std::vector<std::string>, std::vector<const Candidate*>> sorted;
+    const auto add = [&](const Candidate& c) {
+        std::vector<std::string> names;
+        for (const Term* t : c.h.terms) names.push_back(t->effect);
+        std::sort(names.begin(), names.end());
+        sorted[names].push_back(&c);
+    };
+    add(j.base);
+    for (const Candidate& c : j.singles) add(c);
+    for (const Candidate& c : j.pairs) add(c);
+    for (const Candidate& c : j.forces) add(c);
+    std::set<std::string> names;
+    for (const Term& t : j.terms) names.insert(t.effect);
+    const double singles = static_cast<double>(std::max<std::size_t>(1, names.size()));
+    const double all_pairs = std::max(1.0, 0.5 * singles * (singles - 1.0));
+    std::vector<Group> list;
+    for (const auto& [effects, candidates] : sorted) {
+        Group g{.effects = effects};
+        const bool unknown = effects == std::vector<std::string>{"unknown"};
+        const double prior = effects.empty()       ? prior_none
+                             : unknown             ? prior_unknown
+                             : effects.size() == 1 ? prior_singles / singles
+                                                   : prior_pairs / all_pairs;
+        for (const Candidate* c : candidates) {
+            if (!g.best || c->log_evidence > g.best->log_evidence) g.best = c;
+            g.log_weight = log_sum(g.log_weight, c->log_evidence);
+        }
+        g.log_weight += std::log(prior) - std::log(static_cast<double>(candidates.size()));
+        list.push_back(std::move(g));
+    }
+    double all = -1e300;
+    for (const Group& g : list) all = log_sum(all, g.log_weight);
+    for (Group& g : list) g.probability = std::exp(g.log_weight - all);
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Group& a, const Group& b) { return a.log_weight > b.log_weight; });
+    return list;
+}
+
+}  // namespace diagnose

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "diagnose/intervals.hpp"
+
+#include "diagnose/catalogue.hpp"
+#include "diagnose/words.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace diagnose {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double deviations = 1.645;  // two-sided 90 %
+
+// u at which the least objective has risen by 1.645^2 on one side of the fit; the end where it does not.
+double bound(const Problem& p, const Whitener& w, const Candidate& c, Index k, double side) {
+    const Unknown& x = c.h.unknowns[static_cast<std::size_t>(k)];
+    const double best = to_u(c.h.unknowns, c.fit.theta)[k];
+    const double room = side > 0.0 ? highest(x) - best : best - lowest(x);
+    VectorXd theta = c.fit.theta;
+    double reach = deviations * std::sqrt(c.fit.covariance(k, k));
+    double inside = 0.0, rise_inside = 0.0, outside = -1.0, rise_outside = 0.0;  // sqrt of the rise
+    for (int n = 0; n < 6; ++n) {
+        reach = std::min(reach, room);
+        const Held held = fit_holding(p, w, c.h, theta, k, best + side * reach, 5);
+        const double rise = std::sqrt(std::max(0.0, held.objective - c.fit.objective()));
+        if (rise < deviations) {
+            if (reach >= room) return best + side * room;
+            inside = reach, rise_inside = rise, theta = held.theta;
+        } else {
+            outside = reach, rise_outside = rise;
+        }
+        if (outside < 0.0) {
+            reach *= std::clamp(deviations / std::max(rise, 0.1), 1.2, 4.0);
+            continue;
+        }
+        reach = inside + (outside - inside) * (deviations - rise_inside) /
+                             (rise_outside - rise_inside);
+        if (outside - inside < 0.1 * outside) break;
+    }
+    return best + side * std::min(reach, room);
+}
+
+double at(const Candidate& c, Index k, double u) {
+    VectorXd all = to_u(c.h.unknowns, c.fit.theta);
+    all[k] = u;
+    return to_theta(c.h.unknowns, all)[k];
+}
+
+// The user's drag factor as the coefficient of the fastest sphere.
+Estimate told(const Problem& p, const Candidate& c, const Unknown& x, Estimate e) {
+    if (x.key != "drag_factor") return e;
+    const double cd = drag_coefficient(p, c.h, c.fit.theta, 1.0);
+    return {"drag_coefficient", e.unit, e.value * cd, e.low * cd, e.high * cd};
+}
+
+}  // namespace
+
+std::vector<Estimate> estimates(const Problem& p, const Whitener& w, const Candidate& c,
+                                const Term& term) {
+    std::size_t last = c.h.unknowns.size(), first = last;
+    for (std::size_t k = c.h.terms.size(); k-- > 0;) {
+        first = last - c.h.terms[k]->unknowns.size();
+        if (c.h.terms[k] == &term) break;
+        last = first;
+    }
+    std::vector<Estimate> list;
+    for (std::size_t k = first; k < last; ++k) {
+        const auto i = static_cast<Index>(k);
+        const Unknown& x = c.h.unknowns[k];
+        const double a = at(c, i, bound(p, w, c, i, -1.0)), b = at(c, i, bound(p, w, c, i, 1.0));
+        list.push_back(told(p, c, x, {x.name, x.unit, c.fit.theta[i], a, b}));
+    }
+    return list;
+}
+
+std::vector<Estimate> refitted(const Problem& p, const Candidate& c) {
+    std::size_t last = c.h.unknowns.size();
+    for (const Term* t : c.h.terms) last -= t->unknowns.size();
+    std::vector<Estimate> list;
+    for (std::size_t k = 0; k < last; ++k) {
+        const auto i = static_cast<Index>(k);
+        const Unknown& x = c.h.unknowns[k];
+        const double u = to_u(c.h.unknowns, c.fit.theta)[i];
+        const double reach = deviations * std::sqrt(c.fit.covariance(i, i));
+        const double a = at(c, i, std::max(u - reach, lowest(x))),
+                     b = at(c, i, std::min(u + reach, highest(x)));
+        list.push_back(told(p, c, x, {x.name, x.unit, c.fit.theta[i], a, b}));
+    }
+    return list;
+}
+
+MissingForceEstimate missing_of(const Candidate& c) {
+    const Term& term = *c.h.terms.back();
+    MissingForceEstimate m{.variable = term.missing_variable,
+                           .unit = "",
+                           .knots = term.missing_knots,
+                           .force = {},
+                           .low = {},
+                           .high = {},
+                           .words = ""};
+    m.unit = m.variable == "t"                               ? "s"
+             : m.variable == "speed" || m.variable == "slip" ? "m/s"
+             : m.variable == "spin"                          ? "rad/s"
+                                                             : "m";
+    const VectorXd errors = standard_errors(c.h.unknowns, c.fit);
+    const auto n = static_cast<Index>(term.unknowns.size());
+    for (Index k = c.fit.theta.size() - n; k < c.fit.theta.size(); ++k) {
+        m.force.push_back(c.fit.theta[k]);
+        m.low.push_back(c.fit.theta[k] - 1.645 * errors[k]);
+        m.high.push_back(c.fit.theta[k] + 1.645 * errors[k]);
+    }
+    m.words = described(m);
+    return m;
+}
+
+}  // namespace diagnose

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "diagnose/judge.hpp"
+
+#include "diagnose/gates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace diagnose {
+
+using Eigen::VectorXd;
+
+void Judge::fit_singles() {
+    singles.assign(terms.size(), {});
+    in_parallel(terms.size(), settings.threads,
+                [&](std::size_t k) { singles[k] = extended(problem, *whiten, base, terms[k]); });
+    // An effect's fit may have found a better place for the base parameters, too.
+    for (const Candidate& c : singles) {
+        if (c.fit.theta.size() == 0 || c.h.unknowns.size() < base.h.unknowns.size()) continue;
+        VectorXd theta = c.fit.theta.head(base.fit.theta.size());
+        if (c.h.terms.front()->idle.empty()) {
+            Candidate again{.h = base.h, .fit = fit(problem, *whiten, base.h, theta, false)};
+            if (again.fit.objective() < base.fit.objective() - 1e-3)
+                again.log_evidence = again.fit.log_evidence, base = std::move(again);
+        }
+    }
+}
+
+void Judge::estimate_noise() {
+    const Candidate& rich = richest();
+    noise = estimated(problem, problem.recorded - rich.fit.prediction, rich.h.unknowns.size());
+    whiten = std::make_unique<Whitener>(problem, noise);
+}
+
+void Judge::refit_all() {
+    refit(problem, *whiten, base, nullptr);
+    in_parallel(singles.size(), settings.threads,
+                [&](std::size_t k) { refit(problem, *whiten, singles[k], &base); });
+}
+
+Mismatch Judge::test(const Candidate& c, int n) const {
+    const std::vector<Shape> list = shapes(problem, *whiten, c.h, c.fit, terms);
+    return test_of_mismatch(problem, *whiten, c.h, c.fit, list, innovations, settings.seed, n);
+}
+
+// Of the largest drop in chi squared by a single effect, where nothing was left out: chi squared of its unknowns and one more,
+// times the places looked at.
+double Judge::p_of_best_gain() const {
+    constexpr double frequencies = 250.0;
+    double least = 1.0;
+    for (const Candidate& c : singles) {
+        const Term& term = *c.h.terms.front();
+        const double gain = std::max(0.0, base.fit.objective() - c.fit.objective());
+        const double z =
+            normal_of_squares(gain, static_cast<double>(term.unknowns.size()) + 1.0);
+        const double looks = static_cast<double>(singles.size()) *
+                             (term.effect == "vibration" ? frequencies : 1.0);
+        least = std::min(least, looks * 0.5 * std::erfc(z / std::numbers::sqrt2));
+    }
+    return std::max(least, 1e-4);  // the tails of real noise are not known further out
+}
+
+double Judge::own_p(const Candidate& c, int n) const { return test(c, n).p_value; }
+
+// Whether the effect of most evidence leaves nothing to a second one: it passes its own test of mismatch and all gates.
+bool Judge::one_is_enough() const {
+    const auto best = std::max_element(singles.begin(), singles.end(),
+                                       [](const Candidate& a, const Candidate& b) {
+                                           return a.log_evidence < b.log_evidence;
+                                       });
+    if (best == singles.end()) return false;
+    const double p = own_p(*best, 399);
+    return p >= 0.05 && passes(gates({problem, *whiten, base, *best, p, std::nan("")}, 0));
+}
+
+}  // namespace diagnose

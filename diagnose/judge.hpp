@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// What a diagnosis has found so far: the noise, every hypothesis as fitted, whether there is a mismatch. decide.cpp turns it into
+// a verdict.
+#pragma once
+
+#include "diagnose/candidates.hpp"
+#include "diagnose/diagnose.hpp"
+#include "diagnose/locate.hpp"
+#include "diagnose/noise.hpp"
+#include "diagnose/problem.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace diagnose {
+
+constexpr double own_level = 0.01;  // below it a model fails its own test of mismatch
+
+struct Judge {
+    const cases::Case& given;
+    const Settings& settings;
+    Problem problem;
+    std::vector<Term> terms;
+    Noise noise;
+    std::unique_ptr<Whitener> whiten;
+    Candidate base;
+    std::vector<Candidate> singles;  // [terms]
+    std::vector<Candidate> pairs;
+    std::vector<Term> force_terms;
+    std::vector<Candidate> forces;  // falling evidence
+    std::vector<double> innovations;
+    Verdict verdict{};
+
+    Judge(const cases::Case& c, const Settings& s)
+        : given(c), settings(s), problem(problem_of(c)) {}
+    // Tells how far the work is; throws Interrupted where it is to stop.
+    void report(double share, const std::string& what) const {
+        if (settings.progress && !settings.progress(share, what)) throw Interrupted{};
+    }
+    // That of the best fit, at 2 in chi squared for each unknown.
+    const Candidate& richest() const {
+        const Candidate* best = &base;
+        const auto cost = [](const Candidate& c) {
+            return c.fit.objective() + 2.0 * static_cast<double>(c.h.unknowns.size());
+        };
+        for (const std::vector<Candidate>* list : {&singles, &pairs, &forces})
+            for (const Candidate& c : *list)
+                if (cost(c) < cost(*best) - 2.0) best = &c;
+        return *best;
+    }
+    void fit_singles();
+    void estimate_noise();
+    void refit_all();
+    Mismatch test(const Candidate&, int draws) const;
+    double own_p(const Candidate&, int draws) const;  // of its own test of mismatch
+    bool one_is_enough() const;
+    double p_of_best_gain() const;
+};
+
+// Fills in answer, hypotheses, effects, next experiment; returns the model that the verdict stands for: the winner, the missing
+// force, or the user's own.
+const Candidate& decide(Judge&);
+
+}  // namespace diagnose
