@@ -58,6 +58,42 @@ World started(const Skeleton& sk) {
     return w;
 }
 
+// The user's model fitted from where it starts, and from the best places of a grid over its free parameters: bounces that are
+// out of step hold a fit in one of many minima.
+Fit least_base(const Skeleton& sk, const std::vector<std::size_t>& list,
+               const Eigen::VectorXd& wanted) {
+    constexpr int points = 9;
+    constexpr std::size_t few = 3;
+    const std::vector<Setup> setups = chosen(sk.stated, list);
+    const std::vector<Unknown> unknowns = base_unknowns(sk, list);
+    Fit best = fit(started(sk), setups, unknowns, sk.noise, wanted);
+    std::vector<World> grid{started(sk)};
+    for (const Unknown& u : unknowns) {
+        if (u.in_world == nullptr) continue;
+        std::vector<World> finer;
+        for (const World& w : grid)
+            for (int k = 0; k < points; ++k) {
+                const double share = (k + 0.5) / points;
+                finer.push_back(w);
+                finer.back().*u.in_world = u.logarithmic
+                                               ? u.low * std::pow(u.high / u.low, share)
+                                               : u.low + share * (u.high - u.low);
+            }
+        if (finer.size() <= points * points) grid = std::move(finer);
+    }
+    if (grid.size() == 1) return best;
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t k = 0; k < grid.size(); ++k)
+        order.emplace_back(
+            whitened(setups, sk.noise, wanted - predict(grid[k], setups)).squaredNorm(), k);
+    std::sort(order.begin(), order.end());
+    for (std::size_t k = 0; k < std::min(few, order.size()); ++k) {
+        Fit f = fit(grid[order[k].second], setups, unknowns, sk.noise, wanted);
+        if (f.chi2 + f.penalty < best.chi2 + best.penalty) best = std::move(f);
+    }
+    return best;
+}
+
 }  // namespace
 
 const char* ordinate_of(const Setup& s) {
@@ -89,8 +125,7 @@ Mismatch mismatch(const Skeleton& sk, const World& truth, std::vector<std::size_
     if (list.empty()) list = with_role(sk, false);
     const std::vector<Setup> stated = chosen(sk.stated, list);
     const Eigen::VectorXd wanted = predict(truth, chosen(sk.truth, list));
-    Mismatch m{
-        fit(started(sk), stated, base_unknowns(sk, list), sk.noise, wanted), {}, {}, 0, 0, 0};
+    Mismatch m{least_base(sk, list, wanted), {}, {}, 0, 0, 0};
     m.residual = wanted - predict(m.base.world, m.base.setups);
     m.whitened = whitened(stated, sk.noise, m.residual);
     m.n_eff = effective_count(stated, sk.noise);
@@ -101,7 +136,7 @@ Mismatch mismatch(const Skeleton& sk, const World& truth, std::vector<std::size_
 
 Fit base_fit(const Skeleton& sk, const std::vector<std::size_t>& list,
              const Eigen::VectorXd& wanted) {
-    return fit(started(sk), chosen(sk.stated, list), base_unknowns(sk, list), sk.noise, wanted);
+    return least_base(sk, list, wanted);
 }
 
 Fit fit_with(const Skeleton& sk, const std::vector<const Term*>& terms,
