@@ -37,25 +37,39 @@ std::size_t places_of(const Term& term, std::size_t at_least) {
     return term.effect == "vibration" ? 18 : term.unknowns.size() > 1 ? 3 * at_least : at_least;
 }
 
-// The best of fits from all places: where there are many, short ones first.
-Fit best_from(const Footing& on, const Hypothesised& h, const std::vector<VectorXd>& places,
-              int iterations) {
+// The best of fits from all places, and the other minima: where there are many places, short fits first.
+void fit_from(const Footing& on, const std::vector<VectorXd>& places, int iterations,
+              Candidate& c) {
+    constexpr double nearly = 12.0;  // in chi squared, before the last fit
+    constexpr std::size_t few = 4;
     const bool many = places.size() > 2;
     std::vector<std::pair<double, VectorXd>> ends;
     for (const VectorXd& own : places)
         for (const bool staged : {false, true}) {
-            const Fit f = fit(on.problem, on.whiten, h, carried(on, h, own), staged,
+            const Fit f = fit(on.problem, on.whiten, c.h, carried(on, c.h, own), staged,
                               many ? 5 : iterations);
             ends.push_back({f.objective(), f.theta});
         }
     std::stable_sort(ends.begin(), ends.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
-    Fit best;
-    for (std::size_t k = 0; k < std::min<std::size_t>(ends.size(), many ? 2 : 1); ++k) {
-        Fit f = fit(on.problem, on.whiten, h, ends[k].second, false, iterations);
-        if (k == 0 || f.objective() < best.objective()) best = std::move(f);
+    std::vector<VectorXd> tried;  // u
+    std::vector<Fit> fits;
+    for (const auto& [objective, theta] : ends) {
+        if (fits.size() >= few || (fits.size() > 1 && objective > ends[0].first + nearly)) break;
+        const VectorXd u = to_u(c.h.unknowns, theta);
+        const bool fresh = std::all_of(tried.begin(), tried.end(), [&](const VectorXd& other) {
+            return (u - other).cwiseAbs().maxCoeff() > 0.02;
+        });
+        if (!fresh) continue;
+        tried.push_back(u);
+        fits.push_back(fit(on.problem, on.whiten, c.h, theta, false, iterations));
     }
-    return best;
+    std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) {
+        return a.objective() < b.objective();
+    });
+    for (std::size_t k = 1; k < fits.size(); ++k)
+        if (fits[k].objective() < fits[0].objective() + nearly) c.modes.push_back(fits[k].theta);
+    c.fit = std::move(fits.front());
 }
 
 }  // namespace
@@ -97,7 +111,7 @@ Candidate extended(const Problem& p, const Whitener& w, const Candidate& start, 
     }
     const Starts starts = starts_of(on, term);
     c.unseen = starts.unseen;
-    c.fit = best_from(on, c.h, distinct(term, starts, places_of(term, 2)), 25);
+    fit_from(on, distinct(term, starts, places_of(term, 2)), 25, c);
     weigh(c, &start);
     return c;
 }
@@ -151,7 +165,7 @@ std::vector<Candidate> pairs_of(const Problem& p, const Whitener& w,
         const Candidate& start = singles[list[k].start];
         const Term& term = *singles[list[k].added].h.terms[0];
         Candidate c{.h = plus(p, start.h, term), .fit = {}};
-        c.fit = best_from({p, w, start.h, start.fit}, c.h, list[k].own, 15);
+        fit_from({p, w, start.h, start.fit}, list[k].own, 15, c);
         c.log_evidence = c.fit.log_evidence;
         pairs[k] = std::move(c);
     });

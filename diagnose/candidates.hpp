@@ -17,6 +17,7 @@ struct Candidate {
     double log_evidence = 0.0;  // of the fit, and of strengths too small to be seen
     double unseen =
         0.0;  // share of the prior of the last term that these recordings could not show
+    std::vector<Eigen::VectorXd> modes{};  // theta of further minima that were nearly as good
     std::string name() const { return h.name(); }
 };
 

@@ -21,16 +21,21 @@ double bound(const Problem& p, const Whitener& w, const Candidate& c, Index k, d
     const Unknown& x = c.h.unknowns[static_cast<std::size_t>(k)];
     const double best = to_u(c.h.unknowns, c.fit.theta)[k];
     const double room = side > 0.0 ? highest(x) - best : best - lowest(x);
-    VectorXd theta = c.fit.theta;
+    // The others follow the valley: at first order from the fit, then on the way they went last.
+    VectorXd here = to_u(c.h.unknowns, c.fit.theta);
+    VectorXd along = side * c.fit.covariance.col(k) / c.fit.covariance(k, k);
     double reach = deviations * std::sqrt(c.fit.covariance(k, k));
     double inside = 0.0, rise_inside = 0.0, outside = -1.0, rise_outside = 0.0;  // sqrt of the rise
     for (int n = 0; n < 6; ++n) {
         reach = std::min(reach, room);
-        const Held held = fit_holding(p, w, c.h, theta, k, best + side * reach, 5);
+        const VectorXd start = to_theta(c.h.unknowns, here + (reach - inside) * along);
+        const Held held = fit_holding(p, w, c.h, start, k, best + side * reach, 15);
         const double rise = std::sqrt(std::max(0.0, held.objective - c.fit.objective()));
         if (rise < deviations) {
             if (reach >= room) return best + side * room;
-            inside = reach, rise_inside = rise, theta = held.theta;
+            const VectorXd there = to_u(c.h.unknowns, held.theta);
+            if (reach > inside) along = (there - here) / (reach - inside);
+            inside = reach, rise_inside = rise, here = there;
         } else {
             outside = reach, rise_outside = rise;
         }
@@ -85,11 +90,25 @@ std::vector<Estimate> estimates(const Problem& p, const Whitener& w, const Candi
         if (c.h.terms[k] == &term) break;
         last = first;
     }
+    // Other minima as good as that belong to the interval, too.
+    std::vector<Fit> others;
+    for (const VectorXd& theta : c.modes) {
+        Fit f = fit(p, w, c.h, theta, false, 8);
+        if (f.objective() < c.fit.objective() + deviations * deviations)
+            others.push_back(std::move(f));
+    }
     std::vector<Estimate> list;
     for (std::size_t k = first; k < last; ++k) {
         const auto i = static_cast<Index>(k);
         const Unknown& x = c.h.unknowns[k];
-        const double a = at(c, i, bound(p, w, c, i, -1.0)), b = at(c, i, bound(p, w, c, i, 1.0));
+        double a = bound(p, w, c, i, -1.0), b = bound(p, w, c, i, 1.0);
+        for (const Fit& f : others) {
+            const double u = to_u(c.h.unknowns, f.theta)[i];
+            const double reach = deviations * std::sqrt(f.covariance(i, i));
+            a = std::min(a, std::max(u - reach, lowest(x)));
+            b = std::max(b, std::min(u + reach, highest(x)));
+        }
+        a = at(c, i, a), b = at(c, i, b);
         list.push_back(told(p, c, x, {x.name, x.unit, c.fit.theta[i], a, b}));
     }
     open_azimuth(p, list);

@@ -99,10 +99,10 @@ std::vector<Design> designs(const Problem& p) {
                         0.05,
                         1.3,
                         26});
-    if (d < 3e-3)
-        for (const double load : {1.0, 30.0, 1000.0}) {
+    for (const double load : {0.1, 3.0, 100.0})
+        for (const double reach : {0.02, 3.0}) {  // diameters: contact and bridges; charges
             const double newtons = std::max(load * weight, 1e-9);
-            // Pressed to where a Hertz contact carries the load, apart to a tenth of the radius.
+            // Pressed to where a Hertz contact carries the load.
             const double e_star = 0.55 * e.grain.youngs_modulus.value.value();
             const double depth =
                 std::pow(0.75 * newtons / (e_star * std::sqrt(0.5 * d)), 2.0 / 3.0);
@@ -110,7 +110,7 @@ std::vector<Design> designs(const Problem& p) {
                             {{"counterpart", "plate"}, {"preload", si(newtons, "N")}},
                             {},
                             {"force"},
-                            std::max(0.02 * d, 3.0 * depth),
+                            std::max(reach * d, 3.0 * depth),
                             -depth,
                             240});
         }
@@ -121,7 +121,7 @@ std::vector<Design> designs(const Problem& p) {
 double usual_noise(const Design& d, const std::string& channel, const VectorXd& seen) {
     const double range = seen.size() > 0 ? seen.maxCoeff() - seen.minCoeff() : 0.0;
     if (channel == "z" || channel == "x" || channel == "s") return std::max(2e-4, 2e-3 * range);
-    if (channel == "force") return std::max(0.01 * range, 1e-12);
+    if (channel == "force") return std::max(0.002 * range, 1e-12);
     if (channel == "rebound_angle") return 0.004;
     if (d.rig == "impact" && !channel.ends_with("spin")) return 0.005;
     return std::max(0.01 * range, 0.5);
