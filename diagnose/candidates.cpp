@@ -34,7 +34,7 @@ void weigh(Candidate& c, const Candidate* start) {
 
 // From how many places a fit is begun: a term of one unknown has few minima, others many.
 std::size_t places_of(const Term& term, std::size_t at_least) {
-    return term.effect == "vibration" ? 18 : term.unknowns.size() > 1 ? 3 * at_least : at_least;
+    return term.effect == "vibration" ? 18 : term.unknowns.size() > 1 ? 3 * at_least : at_least + 1;
 }
 
 // The best of fits from all places, and the other minima: where there are many places, short fits first.

@@ -130,10 +130,10 @@ const std::vector<Entry>& entries() {
          true,
          [](const Sizes& s) {
              // A fall shows the part along x alone, a plane leans one way or the other; both together show the azimuth.
-             if (!s.rigs.contains("drop") || !s.rigs.contains("incline"))
-                 return U{range("tilt_angle", "rad", -0.26, 0.26, 0.0)};
-             return U{range("tilt_angle", "rad", 0.0, 0.26, 0.0),
-                      range("tilt_azimuth", "rad", -pi, pi, 0.0)};
+             U list{range("tilt_angle", "rad", -0.26, 0.26, 0.0)};
+             if (s.rigs.contains("drop") && s.rigs.contains("incline"))
+                 list.push_back(range("tilt_azimuth", "rad", -pi, pi, 0.0));
+             return list;
          }},
         {"vibration",
          {},
@@ -245,7 +245,11 @@ std::vector<Term> catalogue(const Problem& p) {
                         .two_sided = e.two_sided});
     }
     add_measurement(list, p, s);
-    if (p.world.numerics && is_numerical(*p.world.numerics))
+    const bool own_run_differs = std::any_of(p.records.begin(), p.records.end(), [](const Record& r) {
+        return std::any_of(r.channels.begin(), r.channels.end(),
+                           [](const Channel& c) { return !c.own_run_off.empty(); });
+    });
+    if (own_run_differs || (p.world.numerics && is_numerical(*p.world.numerics)))
         list.push_back({.effect = "numerical_artefact", .unknowns = {}});
     return list;
 }

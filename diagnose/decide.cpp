@@ -14,7 +14,7 @@
 namespace diagnose {
 namespace {
 
-constexpr double far_apart = 3.0;   // sigma between two hypotheses that recordings can tell apart
+constexpr double far_apart = 2.5;   // sigma between two hypotheses that recordings can tell apart
 constexpr double sure = 0.75;       // probability at which rivals that far apart are out
 constexpr double close_odds = 3.0;  // log odds of a rival that stands while the winner is not sure
 constexpr double negligible_odds = 14.0;
@@ -74,8 +74,7 @@ class Decision {
             ++asked;
             if (explains(g, 999)) winner_ = &g;
         }
-        if (winner_ && unknown_ && unknown_->log_weight > winner_->log_weight + 5.0)
-            winner_ = nullptr;
+        if (winner_ && unknown_ && unknown_->log_weight > winner_->log_weight) winner_ = nullptr;
     }
 
     // Hypotheses that explain, too, and that these recordings and those held out cannot tell from the winner.
@@ -103,16 +102,19 @@ class Decision {
         for (const auto& [apart, g] : list) rivals_.push_back(g);
     }
 
-    double numerical_p() const {
+    // Of the user's model with a fine step; NaN where that changes nothing (3 sigma).
+    double refined_p() const {
         for (const Candidate& c : j_.singles)
-            if (c.h.terms.front()->effect == "numerical_artefact") return j_.own_p(c, 399);
+            if (c.h.terms.front()->effect == "numerical_artefact" &&
+                c.fit.objective() < j_.base.fit.objective() - 9.0)
+                return j_.own_p(c, 399);
         return std::nan("");
     }
 
     void weigh_winner() {
         const Candidate& c = *winner_->best;
         const GateInput input{j_.problem,        *j_.whiten,   j_.base, c,
-                              own_p_.at(winner_), numerical_p()};
+                              own_p_.at(winner_), refined_p()};
         bool all_pass = true;
         for (std::size_t k = 0; k < c.h.terms.size(); ++k) {
             Effect e = effect_of(*winner_, *c.h.terms[k]);
@@ -121,7 +123,9 @@ class Decision {
             all_pass = all_pass && e.named;
             v_.effects.push_back(std::move(e));
         }
-        const bool named = rivals_.empty() && v_.p_value < own_level && all_pass;
+        const bool beyond_unknown = !unknown_ || winner_->probability >= sure ||
+                                    unknown_->log_weight < winner_->log_weight - close_odds;
+        const bool named = rivals_.empty() && beyond_unknown && v_.p_value < own_level && all_pass;
         v_.answer = named ? Answer::explained : Answer::ambiguous;
         if (named) return;
         for (Effect& e : v_.effects) e.named = false;

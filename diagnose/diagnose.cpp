@@ -5,6 +5,7 @@
 #include "diagnose/gates.hpp"
 #include "diagnose/intervals.hpp"
 #include "diagnose/judge.hpp"
+#include "diagnose/own_run.hpp"
 #include "diagnose/scores.hpp"
 #include "diagnose/words.hpp"
 #include "scaling/errors.hpp"
@@ -91,6 +92,7 @@ Verdict diagnose(const cases::Case& given, const Settings& settings,
     j.noise = first_guess(j.problem);
     j.whiten = std::make_unique<Whitener>(j.problem, j.noise);
     j.base = base_of(j.problem, *j.whiten);
+    v.warnings = words_of_own_runs(j.problem);
     j.report(0.1, "single effects");
     j.fit_singles();
     j.estimate_noise();

@@ -214,7 +214,7 @@ Gate refinement_gate(const GateInput& in, std::size_t which) {
                 "A finer time step removes the mismatch: that is what it is."};
     if (!std::isfinite(in.refined_base_p_value))
         return {"refinement", GateResult::passed,
-                "The forward models are resolved; the case states no numerics of its own."};
+                "The user's run is resolved: a finer step changes nothing that shows here."};
     const bool stays = in.refined_base_p_value < own_level;
     return {"refinement", stays ? GateResult::passed : GateResult::failed,
             stays ? "The mismatch stays when the user's model is run with a fine time step."

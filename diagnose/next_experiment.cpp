@@ -74,9 +74,9 @@ std::vector<Design> designs(const Problem& p) {
     std::vector<Design> list;
     const auto fall = [&](double h) { return std::sqrt(2.0 * h / g); };
     if (gravity) {
-        for (const double h : {0.02, 0.1, 0.3, 1.0, 3.0})
+        for (const double h : {0.02, 0.1, 0.5, 3.0})
             for (const double across : {0.0, 1.0}) {
-                Design x{"drop", {{"height", si(h, "m")}}, {}, {"z"}, 0.0, 5.0 * fall(h), 300};
+                Design x{"drop", {{"height", si(h, "m")}}, {}, {"z"}, 0.0, 5.0 * fall(h), 200};
                 if (across > 0.0)
                     x.conditions["horizontal_speed"] = si(across, "m/s"), x.channels.push_back("x");
                 list.push_back(x);
@@ -163,9 +163,9 @@ Tried tried(const Problem& p, const Noise& noise, const std::vector<const Candid
     std::vector<Candidate> there;
     for (const Candidate* c : alike) there.push_back(carried_over(both, *c));
     result.sigma = std::numeric_limits<double>::max();
-    for (const Candidate& x : there)
-        for (const Candidate& y : there)
-            if (&x != &y) result.sigma = std::min(result.sigma, separation(both, w, x, y));
+    for (std::size_t k = 0; k < there.size(); ++k)
+        for (std::size_t n = k + 1; n < there.size(); ++n)
+            result.sigma = std::min(result.sigma, separation(both, w, there[k], there[n]));
     for (const Channel& c : both.records.back().channels) result.noise[c.name] = c.stated_noise;
     return result;
 }

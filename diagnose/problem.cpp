@@ -3,6 +3,7 @@
 
 #include "cases/effects.hpp"
 #include "cases/rig_table.hpp"
+#include "diagnose/own_run.hpp"
 #include "scaling/errors.hpp"
 
 #include <algorithm>
@@ -197,6 +198,7 @@ Problem problem_of(const cases::Case& c, bool held_out) {
         for (const Channel& channel : r.channels)
             for (std::size_t k = 0; k < channel.recorded.size(); ++k)
                 p.recorded[static_cast<Eigen::Index>(channel.first + k)] = channel.recorded[k];
+    compare_own_runs(p);
     return p;
 }
 
@@ -286,6 +288,7 @@ Eigen::VectorXd predicted(const Problem& p, const Hypothesised& h, const Eigen::
                 if (!std::isfinite(v)) continue;
                 if (scale != i.scale.end()) v *= scale->second;
                 if (offset != i.offset.end()) v += offset->second;
+                if (h.terms.empty() && !c.own_run_off.empty()) v += c.own_run_off[k];
                 if (r.ordinate == "displacement")
                     v += i.base_line + i.slope * (r.ordinates.at[k] - middle);
                 y[static_cast<Eigen::Index>(c.first + k)] = v;

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct Channel {
     std::vector<double> recorded;  // [rows], SI; NaN where nothing was measured
     double stated_noise = 0.0;     // standard deviation; 0 where the case does not give it
     std::size_t first = 0;         // place in the long vector
+    std::optional<double> own_run_rms{};  // of the user's own run minus this tool's (own_run.hpp)
+    std::vector<double> own_run_off{};    // the same, [rows]; empty where it is negligible
 };
 
 struct Record {

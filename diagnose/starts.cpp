@@ -20,7 +20,7 @@ using Eigen::VectorXd;
 
 constexpr double pi = std::numbers::pi;
 
-int grid_points(Index k) { return k == 0 ? 8 : 4; }
+int grid_points(const Term& t, Index k) { return t.unknowns.size() == 1 ? 24 : k == 0 ? 8 : 4; }
 
 // u at a share of the way from one end of a grid to the other: the range, or two deviations either side.
 double grid_value(const Unknown& x, double share) {
@@ -31,7 +31,7 @@ std::vector<VectorXd> grid_of(const Term& t) {
     const auto n = static_cast<Index>(t.unknowns.size());
     std::vector<VectorXd> grid{VectorXd::Zero(n)};
     for (Index k = 0; k < n; ++k) {
-        const int count = grid_points(k);
+        const int count = grid_points(t, k);
         std::vector<VectorXd> finer;
         for (const VectorXd& g : grid)
             for (int c = 0; c < count; ++c)
@@ -46,7 +46,7 @@ std::vector<VectorXd> grid_of(const Term& t) {
 std::vector<VectorXd> strengths(const Term& t, const VectorXd& u) {
     std::vector<VectorXd> list{u};
     if (t.unknowns.empty()) return list;
-    const int count = grid_points(0);
+    const int count = grid_points(t, 0);
     for (int c = 0; c < count; ++c)
         list.push_back(u), list.back()[0] = grid_value(t.unknowns[0], (c + 0.5) / count);
     return list;

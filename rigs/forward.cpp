@@ -78,6 +78,13 @@ Ordinates recorded_ordinates(const cases::Experiment& e) {
     return rows_as_ordinates(e, *e.recording);
 }
 
+Ordinates simulated_ordinates(const cases::Experiment& e) {
+    if (!e.simulated)
+        throw InvalidInput(mistake("experiment \"" + e.id + "\"", "no run of your own",
+                                   "must have one", "name its CSV file under simulated"));
+    return rows_as_ordinates(e, *e.simulated);
+}
+
 Ordinates ordinates_of(const cases::Experiment& e) {
     if (const cases::Recording* rows = rows_of(e)) return rows_as_ordinates(e, *rows);
     if (e.rig == "impact") return {even(0.0349, 1.536, 44), {}};

@@ -68,7 +68,10 @@ std::unique_ptr<ForwardModel> forward_model(const cases::Experiment&);
 // Where the recording has its rows. Throws scaling::InvalidInput where there is none.
 Ordinates recorded_ordinates(const cases::Experiment&);
 
-// The same, or the rows of the user's own run; where there is neither, a range that shows the rig: two seconds, 2 to 88 degrees,
+// Where the user's own run has them. Throws scaling::InvalidInput where there is none.
+Ordinates simulated_ordinates(const cases::Experiment&);
+
+// Where the recording has its rows, else the user's own run; where there is neither, a range that shows the rig: two seconds, 2 to 88 degrees,
 // twice the overlap under the preload outwards and once inwards.
 Ordinates ordinates_of(const cases::Experiment&);
 
