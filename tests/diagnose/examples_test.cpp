@@ -84,3 +84,18 @@ TEST_CASE("diagnose: experiments that are all held out decide nothing", "[diagno
     for (cases::Experiment& e : c.experiments) e.held_out = true;
     CHECK(diagnose::diagnose(c, {}, [](cases::Case&) {}).answer == diagnose::Answer::undecided);
 }
+
+TEST_CASE("diagnose: an unknown force is looked for across recordings of two rigs", "[diagnose]") {
+    cases::Case c = cases::read_case("tests/diagnose/data/drop-magnet/case.json");
+    const cases::Case other =
+        cases::read_case("tests/diagnose/data/incline-rolling-resistance/case.json");
+    // The magnet is beneath the drops alone: nothing that acts on both explains it.
+    for (const cases::Experiment& e : other.experiments)
+        if (!e.held_out) c.experiments.push_back(e);
+    const diagnose::Verdict v =
+        diagnose::diagnose(c, {.seed = 1, .threads = 2}, [](cases::Case& sealed) {
+            cases::open_held_out(sealed);
+        });
+    CHECK(v.answer == diagnose::Answer::unexplained);
+    REQUIRE(v.effects.front().missing);
+}
