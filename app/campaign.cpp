@@ -87,11 +87,16 @@ class Worker {
                       campaign_.limit, stop_);
         if (stop_ && !end.exit_code) return;
         if (!is_verdict(end)) fs::remove(verdict);  // it may have been cut off
-        const ordered_json record = {{"ended", how(end)},
-                                     {"is_verdict", is_verdict(end)},
-                                     {"cpu_seconds", end.cpu_seconds},
-                                     {"words", end.last_words}};
+        write_end(verdicts, name, {{"ended", how(end)},
+                                   {"is_verdict", is_verdict(end)},
+                                   {"cpu_seconds", end.cpu_seconds},
+                                   {"words", end.last_words}});
+    }
+
+    static void write_end(const fs::path& verdicts, const std::string& name,
+                          const ordered_json& record) {
         constexpr auto as_is = ordered_json::error_handler_t::replace;
+        fs::create_directories(verdicts);
         write_file(ended(verdicts, name).string(), record.dump(2, ' ', false, as_is) + "\n");
     }
 
@@ -106,8 +111,16 @@ class Worker {
         const cases::Value wish = verdict.at("next_experiment");
         if (wish.kind != cases::Value::Kind::object) return;
         const fs::path folder = campaign_.out / "asked" / name;
-        for (const auto& [file, content] : prove::record(again(), campaign_.extent.seed, wish))
-            write_file((folder / file).string(), content);
+        try {
+            for (const auto& [file, content] : prove::record(again(), campaign_.extent.seed, wish))
+                write_file((folder / file).string(), content);
+        } catch (const std::exception& e) {  // a wish that nobody can fulfil
+            write_end(after, name, {{"ended", "not recorded"},
+                                    {"is_verdict", false},
+                                    {"cpu_seconds", 0.0},
+                                    {"words", e.what()}});
+            return;
+        }
         judge(folder, after, name, campaign_.judge_seed);
     }
 

@@ -82,19 +82,10 @@ struct Solver {
             VectorXd moved = u;
             moved[k] += h_step;
             VectorXd d = predict(moved, only) - here;
-            if (only >= 0) d = rows_of(only, d);
+            if (only >= 0) d = rows_of(problem, static_cast<std::size_t>(only), d);
             j.col(k) = whiten(d / h_step);
         }
         return j;
-    }
-    VectorXd rows_of(int record, const VectorXd& v) const {
-        VectorXd part = VectorXd::Zero(v.size());
-        for (const Channel& c : problem.records[static_cast<std::size_t>(record)].channels) {
-            const auto first = static_cast<Index>(c.first),
-                       n = static_cast<Index>(c.recorded.size());
-            part.segment(first, n) = v.segment(first, n);
-        }
-        return part;
     }
     MatrixXd jacobian(const VectorXd& u) const {
         MatrixXd j(static_cast<Index>(problem.size), u.size());

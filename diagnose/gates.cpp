@@ -65,14 +65,6 @@ double gain_of(const Fit& f, const MatrixXd& columns) {
            (few.rows() > 0 ? g_few.dot(few.ldlt().solve(g_few)) : 0.0);
 }
 
-VectorXd rows_of(const Problem& p, std::size_t record, const VectorXd& v) {
-    VectorXd part = VectorXd::Zero(v.size());
-    for (const Channel& c : p.records[record].channels)
-        part.segment(static_cast<Index>(c.first), static_cast<Index>(c.recorded.size())) =
-            v.segment(static_cast<Index>(c.first), static_cast<Index>(c.recorded.size()));
-    return part;
-}
-
 // Sensitivity to the strength, by recording; those that see it at all.
 std::vector<VectorXd> sensitive(const GateInput& in, Index at) {
     std::vector<VectorXd> columns;

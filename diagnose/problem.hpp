@@ -62,6 +62,9 @@ Problem problem_of(const cases::Case&, bool held_out = false);
 Eigen::VectorXd predicted(const Problem&, const Hypothesised&, const Eigen::VectorXd& theta,
                           int only = -1);
 
+// The rows of one record in a long vector, 0 elsewhere.
+Eigen::VectorXd rows_of(const Problem&, std::size_t record, const Eigen::VectorXd&);
+
 // The world in which `record` runs, for state variables and plots.
 rigs::World world_at(const Problem&, const Hypothesised&, const Eigen::VectorXd& theta,
                      const Record&);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "prove/fit.hpp"
 
+#include "prove/stepper.hpp"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 
@@ -69,7 +71,12 @@ class Problem {
         std::vector<Setup> s = setups_;
         for (std::size_t k = 0; k < unknowns_.size(); ++k)
             put_one(unknowns_[k], outer(unknowns_[k], x[at(k)]), w, s);
-        last_ = predict(w, s);
+        try {
+            last_ = predict(w, s);
+        } catch (const NoStep&) {  // as far off as can be
+            last_ = wanted_;
+            return Eigen::VectorXd::Constant(wanted_.size() + x.size(), 1e6);
+        }
         return rows(s, last_, x);
     }
 
@@ -92,8 +99,12 @@ class Problem {
                 const Eigen::Index n = at(s[e].size());
                 if (u.in_setup == nullptr || u.experiment < 0 ||
                     u.experiment == static_cast<int>(e)) {
-                    const std::vector<double> y = predict_one(w, s[e]);
-                    there.segment(first, n) = Eigen::Map<const Eigen::VectorXd>(y.data(), n);
+                    try {
+                        const std::vector<double> y = predict_one(w, s[e]);
+                        there.segment(first, n) = Eigen::Map<const Eigen::VectorXd>(y.data(), n);
+                    } catch (const NoStep&) {
+                        // no slope that way
+                    }
                 }
                 first += n;
             }

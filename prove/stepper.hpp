@@ -6,9 +6,15 @@
 
 #include <cstddef>
 #include <functional>
+#include <stdexcept>
 #include <vector>
 
 namespace prove {
+
+// Rates are no numbers: parameters far from any world.
+struct NoStep : std::runtime_error {
+    NoStep() : std::runtime_error("the integrator found no step: rates that are no numbers") {}
+};
 
 class Stepper {
   public:
