@@ -146,6 +146,13 @@ Verdict diagnose(const cases::Case& given, const Settings& settings,
         const Candidate base = carried_over(held, j.base),
                         extended_there = carried_over(held, chosen);
         v.held_out = scores(held, known, base, extended_there);
+        const double missed = v.held_out->nrmse_extended / v.held_out->noise_floor;
+        constexpr double much = 3.0;  // their conditions are as stated, not refitted: they are missed by more than noise
+        if (missed > much && v.held_out->nrmse_extended > much * v.fit->nrmse_extended)
+            v.warnings.push_back(fmt::format(
+                "What was held out is missed by {:.1f} times its noise, what was fitted is not: the "
+                "recordings differ from one another in something that the case does not state.",
+                missed));
         for (PredictedCurve& c : curves(held, known, base, extended_there, true))
             v.curves.push_back(std::move(c));
     }
