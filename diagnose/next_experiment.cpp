@@ -2,6 +2,7 @@
 #include "diagnose/next_experiment.hpp"
 
 #include "diagnose/scores.hpp"
+#include "diagnose/words.hpp"
 
 #include <fmt/format.h>
 
@@ -189,8 +190,9 @@ std::optional<NextExperiment> next_experiment(const Problem& p, const Noise& noi
         if (outcome[k].sigma > outcome[best].sigma) best = k;
     if (list.empty() || !(outcome[best].sigma > 0.0)) return std::nullopt;
     const Design& d = list[best];
-    std::vector<std::string> names;
-    for (const Candidate* c : alike) names.push_back(c->name());
+    std::vector<std::string> names, plain;
+    for (const Candidate* c : alike)
+        names.push_back(c->name()), plain.push_back(plain_name(c->name()));
     return NextExperiment{.rig = d.rig,
                           .conditions = d.conditions,
                           .grain = d.grain,
@@ -205,8 +207,8 @@ std::optional<NextExperiment> next_experiment(const Problem& p, const Noise& noi
                           .noise = outcome[best].noise,
                           .between = names,
                           .separation_sigma = outcome[best].sigma,
-                          .why = fmt::format("It would set {} {:.1f} sigma apart.",
-                                             fmt::join(names, " and "), outcome[best].sigma)};
+                          .why = fmt::format("Of {} designs it sets {} furthest apart.", list.size(),
+                                             fmt::join(plain, " and "))};
 }
 
 std::unique_ptr<Planned> with_held_out(const Problem& p, const Noise& noise) {

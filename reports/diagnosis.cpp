@@ -43,9 +43,11 @@ std::string explained(const diagnose::Verdict& v) {
 }
 
 std::string ambiguous(const diagnose::Verdict& v) {
-    if (v.hypotheses.size() < 2) return "Ambiguous: a mismatch with more than one explanation";
-    return fmt::format("Ambiguous: {}, or {}", effects_in_words(v.hypotheses[0].effects),
-                       effects_in_words(v.hypotheses[1].effects));
+    if (v.alike.size() < 2) return "Ambiguous: a mismatch with more than one explanation";
+    std::string others;
+    for (std::size_t k = 1; k < v.alike.size(); ++k)
+        others += ", or " + effects_in_words(v.alike[k]);
+    return fmt::format("Ambiguous: {}{}", effects_in_words(v.alike[0]), others);
 }
 
 std::string unexplained(const diagnose::Verdict& v) {
@@ -150,11 +152,9 @@ std::vector<std::string> next_lines(const diagnose::Verdict& v) {
     what +=
         fmt::format("; {} rows of {} for {} from {} to {}", n.rows, fmt::join(n.channels, ", "),
                     n.ordinate, quantity(n.from, n.ordinate_unit), quantity(n.to, n.ordinate_unit));
-    const std::string apart =
-        std::isfinite(n.separation_sigma)
-            ? fmt::format("It is expected to tell {} apart by {} sigma.",
-                          fmt::join(n.between, " and "), number(n.separation_sigma))
-            : "";
+    const std::string apart = std::isfinite(n.separation_sigma)
+                                  ? fmt::format("Expected: {} sigma.", number(n.separation_sigma))
+                                  : "";
     return {what + ".", n.why + (n.why.empty() || apart.empty() ? "" : " ") + apart};
 }
 
