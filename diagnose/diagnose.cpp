@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <numbers>
 #include <set>
@@ -57,6 +58,36 @@ std::string cannot_show(const Problem& p) {
     return {};
 }
 
+// The case with one experiment held back where its author holds back none: the last recorded one of the rig that has most, of
+// three recordings or more. `words` tells which, or why none.
+cases::Case held_back(const cases::Case& given, std::string& words) {
+    cases::Case c = given;
+    std::map<std::string, int> recorded;  // by rig
+    int all = 0;
+    for (const cases::Experiment& e : c.experiments) {
+        if (e.held_out) return c;
+        if (e.recording) ++recorded[e.rig], ++all;
+    }
+    constexpr int enough = 3;
+    if (all < enough) {
+        words = "Nothing is held out: with fewer than three recordings all take part in the fits.";
+        return c;
+    }
+    std::string rig;
+    for (const auto& [name, count] : recorded)
+        if (rig.empty() || count > recorded[rig]) rig = name;
+    for (auto e = c.experiments.rbegin(); e != c.experiments.rend(); ++e)
+        if (e->rig == rig && e->recording && recorded[rig] > 1) {
+            e->held_out = true;
+            words = fmt::format(
+                "The case holds nothing out, so {} was held back: it took no part in any fit and was "
+                "predicted once.",
+                e->id);
+            break;
+        }
+    return c;
+}
+
 // Standardised residuals to draw from where their tails are heavier than a normal's; else none.
 std::vector<double> heavy_tails(const Candidate& c, const Whitener& w) {
     std::vector<double> z;
@@ -75,8 +106,10 @@ std::vector<double> heavy_tails(const Candidate& c, const Whitener& w) {
 
 }  // namespace
 
-Verdict diagnose(const cases::Case& given, const Settings& settings,
+Verdict diagnose(const cases::Case& stated, const Settings& settings,
                  const std::function<void(cases::Case&)>& open_held_out) {
+    std::string words_of_held_back;
+    const cases::Case given = held_back(stated, words_of_held_back);
     Judge j(given, settings);
     Verdict& v = j.verdict;
     v.title = given.title, v.seed = settings.seed, v.p_value = 1.0;
@@ -93,6 +126,7 @@ Verdict diagnose(const cases::Case& given, const Settings& settings,
     j.whiten = std::make_unique<Whitener>(j.problem, j.noise);
     j.base = base_of(j.problem, *j.whiten);
     v.warnings = words_of_own_runs(j.problem);
+    if (!words_of_held_back.empty()) v.warnings.push_back(words_of_held_back);
     j.report(0.1, "single effects");
     j.fit_singles();
     j.estimate_noise();

@@ -99,3 +99,16 @@ TEST_CASE("diagnose: an unknown force is looked for across recordings of two rig
     CHECK(v.answer == diagnose::Answer::unexplained);
     REQUIRE(v.effects.front().missing);
 }
+
+TEST_CASE("diagnose: where nothing is held out the last of three recordings is held back",
+          "[diagnose]") {
+    cases::Case c = cases::read_case("tests/diagnose/data/drop-nothing-left-out/case.json");
+    for (cases::Experiment& e : c.experiments) e.held_out = false;
+    const diagnose::Verdict v = diagnose::diagnose(c, {.seed = 1, .threads = 1}, [](auto&) {});
+    CHECK(v.answer == diagnose::Answer::consistent);
+    REQUIRE(v.held_out);
+    CHECK(v.held_out->experiments == std::vector<std::string>{"drop-3"});
+    CHECK(v.warnings.front().find("drop-3 was held back") != std::string::npos);
+    c.experiments.pop_back();  // two are too few
+    CHECK(!diagnose::diagnose(c, {.seed = 1, .threads = 1}, [](auto&) {}).held_out);
+}
