@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "prove/figures.hpp"
 
-#include "prove/stepper.hpp"
-
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
 
@@ -85,14 +83,9 @@ Fit least_base(const Skeleton& sk, const std::vector<std::size_t>& list,
     }
     if (grid.size() == 1) return best;
     std::vector<std::pair<double, std::size_t>> order;
-    for (std::size_t k = 0; k < grid.size(); ++k) {
-        try {
-            order.emplace_back(
-                whitened(setups, sk.noise, wanted - predict(grid[k], setups)).squaredNorm(), k);
-        } catch (const NoStep&) {
-            continue;
-        }
-    }
+    for (std::size_t k = 0; k < grid.size(); ++k)
+        order.emplace_back(
+            whitened(setups, sk.noise, wanted - predict(grid[k], setups)).squaredNorm(), k);
     std::sort(order.begin(), order.end());
     for (std::size_t k = 0; k < std::min(few, order.size()); ++k) {
         Fit f = fit(grid[order[k].second], setups, unknowns, sk.noise, wanted);

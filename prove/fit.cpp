@@ -71,12 +71,7 @@ class Problem {
         std::vector<Setup> s = setups_;
         for (std::size_t k = 0; k < unknowns_.size(); ++k)
             put_one(unknowns_[k], outer(unknowns_[k], x[at(k)]), w, s);
-        try {
-            last_ = predict(w, s);
-        } catch (const NoStep&) {  // as far off as can be
-            last_ = wanted_;
-            return Eigen::VectorXd::Constant(wanted_.size() + x.size(), 1e6);
-        }
+        last_ = predict(w, s);
         return rows(s, last_, x);
     }
 
@@ -175,8 +170,12 @@ Eigen::VectorXd predict(const World& w, const std::vector<Setup>& setups) {
     Eigen::VectorXd all(at(rows_of(setups)));
     Eigen::Index first = 0;
     for (const Setup& s : setups) {
-        const std::vector<double> y = prove::predict(w, s);
-        for (const double value : y) all[first++] = value;
+        try {
+            const std::vector<double> y = prove::predict(w, s);
+            for (const double value : y) all[first++] = value;
+        } catch (const NoStep&) {
+            for (std::size_t k = 0; k < s.size(); ++k) all[first++] = far_off;
+        }
     }
     return all;
 }

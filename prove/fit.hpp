@@ -36,6 +36,8 @@ struct Noise {
 // Divided by the standard deviation and freed of the correlation, experiment by experiment, channel by channel. A value that
 // is no number counts as 0.
 Eigen::VectorXd whitened(const std::vector<Setup>&, const Noise&, const Eigen::VectorXd& residual);
+// A world that no integrator can follow is `far_off` in all its rows.
+constexpr double far_off = 1e9;
 Eigen::VectorXd predict(const World&, const std::vector<Setup>&);
 
 struct Fit {
