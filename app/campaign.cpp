@@ -87,10 +87,11 @@ class Worker {
                       campaign_.limit, stop_);
         if (stop_ && !end.exit_code) return;
         if (!is_verdict(end)) fs::remove(verdict);  // it may have been cut off
-        write_end(verdicts, name, {{"ended", how(end)},
-                                   {"is_verdict", is_verdict(end)},
-                                   {"cpu_seconds", end.cpu_seconds},
-                                   {"words", end.last_words}});
+        write_end(verdicts, name,
+                  {{"ended", how(end)},
+                   {"is_verdict", is_verdict(end)},
+                   {"cpu_seconds", end.cpu_seconds},
+                   {"words", end.last_words}});
     }
 
     static void write_end(const fs::path& verdicts, const std::string& name,
@@ -115,10 +116,11 @@ class Worker {
             for (const auto& [file, content] : prove::record(again(), campaign_.extent.seed, wish))
                 write_file((folder / file).string(), content);
         } catch (const std::exception& e) {  // a wish that nobody can fulfil
-            write_end(after, name, {{"ended", "not recorded"},
-                                    {"is_verdict", false},
-                                    {"cpu_seconds", 0.0},
-                                    {"words", e.what()}});
+            write_end(after, name,
+                      {{"ended", "not recorded"},
+                       {"is_verdict", false},
+                       {"cpu_seconds", 0.0},
+                       {"words", e.what()}});
             return;
         }
         judge(folder, after, name, campaign_.judge_seed);

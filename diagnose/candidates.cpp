@@ -64,9 +64,8 @@ void fit_from(const Footing& on, const std::vector<VectorXd>& places, int iterat
         tried.push_back(u);
         fits.push_back(fit(on.problem, on.whiten, c.h, theta, false, iterations));
     }
-    std::stable_sort(fits.begin(), fits.end(), [](const Fit& a, const Fit& b) {
-        return a.objective() < b.objective();
-    });
+    std::stable_sort(fits.begin(), fits.end(),
+                     [](const Fit& a, const Fit& b) { return a.objective() < b.objective(); });
     for (std::size_t k = 1; k < fits.size(); ++k)
         if (fits[k].objective() < fits[0].objective() + nearly) c.modes.push_back(fits[k].theta);
     c.fit = std::move(fits.front());
@@ -250,9 +249,8 @@ std::vector<Candidate> with_missing_force(const Problem& p, const Whitener& w,
             u.high = 100.0 * u.deviation;
         h = plus(p, start.h, term);
         Candidate c{.h = h,
-                    .fit = fit(p, w, h,
-                               carried(on, h, VectorXd::Zero(static_cast<Index>(knots))), false,
-                               10)};
+                    .fit = fit(p, w, h, carried(on, h, VectorXd::Zero(static_cast<Index>(knots))),
+                               false, 10)};
         // The size was chosen among some 20, the variable among those there are.
         c.log_evidence = c.fit.log_evidence - 2.0;
         all.push_back(std::move(c));

@@ -245,10 +245,11 @@ std::vector<Term> catalogue(const Problem& p) {
                         .two_sided = e.two_sided});
     }
     add_measurement(list, p, s);
-    const bool own_run_differs = std::any_of(p.records.begin(), p.records.end(), [](const Record& r) {
-        return std::any_of(r.channels.begin(), r.channels.end(),
-                           [](const Channel& c) { return !c.own_run_off.empty(); });
-    });
+    const bool own_run_differs =
+        std::any_of(p.records.begin(), p.records.end(), [](const Record& r) {
+            return std::any_of(r.channels.begin(), r.channels.end(),
+                               [](const Channel& c) { return !c.own_run_off.empty(); });
+        });
     if (own_run_differs || (p.world.numerics && is_numerical(*p.world.numerics)))
         list.push_back({.effect = "numerical_artefact", .unknowns = {}});
     return list;

@@ -113,8 +113,7 @@ class Decision {
 
     void weigh_winner() {
         const Candidate& c = *winner_->best;
-        const GateInput input{j_.problem,        *j_.whiten,   j_.base, c,
-                              own_p_.at(winner_), refined_p()};
+        const GateInput input{j_.problem, *j_.whiten, j_.base, c, own_p_.at(winner_), refined_p()};
         bool all_pass = true;
         for (std::size_t k = 0; k < c.h.terms.size(); ++k) {
             Effect e = effect_of(*winner_, *c.h.terms[k]);
@@ -195,10 +194,9 @@ class Decision {
 
     void publish() {
         for (const Group& g : groups_) v_.hypotheses.push_back({g.effects, g.probability});
-        std::stable_sort(v_.hypotheses.begin(), v_.hypotheses.end(),
-                         [](const Hypothesis& a, const Hypothesis& b) {
-                             return a.probability > b.probability;
-                         });
+        std::stable_sort(
+            v_.hypotheses.begin(), v_.hypotheses.end(),
+            [](const Hypothesis& a, const Hypothesis& b) { return a.probability > b.probability; });
     }
 };
 

@@ -80,7 +80,8 @@ cases::Case held_back(const cases::Case& given, std::string& words) {
         if (e->rig == rig && e->recording && recorded[rig] > 1) {
             e->held_out = true;
             words = fmt::format(
-                "The case holds nothing out, so {} was held back: it took no part in any fit and was "
+                "The case holds nothing out, so {} was held back: it took no part in any fit and "
+                "was "
                 "predicted once.",
                 e->id);
             break;
@@ -164,8 +165,8 @@ Verdict diagnose(const cases::Case& stated, const Settings& settings,
         for (const ChannelNoise& n : row)
             v.noise_correlation = std::max(v.noise_correlation, n.correlation);
     for (Effect& e : v.effects) {
-        e.why = reasons(e.name, e.probability,
-                        j.base.fit.objective() - chosen.fit.objective(), v.located);
+        e.why = reasons(e.name, e.probability, j.base.fit.objective() - chosen.fit.objective(),
+                        v.located);
         for (const Gate& g : e.gates)
             if (g.result == GateResult::untestable)
                 v.warnings.push_back(fmt::format("{}: gate \"{}\" cannot be tested. {}",
@@ -181,10 +182,12 @@ Verdict diagnose(const cases::Case& stated, const Settings& settings,
                         extended_there = carried_over(held, chosen);
         v.held_out = scores(held, known, base, extended_there);
         const double missed = v.held_out->nrmse_extended / v.held_out->noise_floor;
-        constexpr double much = 3.0;  // their conditions are as stated, not refitted: they are missed by more than noise
+        constexpr double much =
+            3.0;  // their conditions are as stated, not refitted: they are missed by more than noise
         if (missed > much && v.held_out->nrmse_extended > much * v.fit->nrmse_extended)
             v.warnings.push_back(fmt::format(
-                "What was held out is missed by {:.1f} times its noise, what was fitted is not: the "
+                "What was held out is missed by {:.1f} times its noise, what was fitted is not: "
+                "the "
                 "recordings differ from one another in something that the case does not state.",
                 missed));
         for (PredictedCurve& c : curves(held, known, base, extended_there, true))

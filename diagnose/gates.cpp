@@ -191,8 +191,9 @@ Gate placebo_gate(const GateInput& in, std::size_t which) {
         best = std::max(best, std::pow(std::max(0.0, placebo.dot(left) / size), 2));
     }
     if (!any)
-        return {"placebo", GateResult::untestable,
-                "Run backwards or shifted its signature is the same, to what these recordings show."};
+        return {
+            "placebo", GateResult::untestable,
+            "Run backwards or shifted its signature is the same, to what these recordings show."};
     const bool better = gain > best + 4.0;
     return {"placebo", better ? GateResult::passed : GateResult::failed,
             fmt::format("{} lowers chi squared by {:.0f}; the same signature run backwards or "

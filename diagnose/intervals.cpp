@@ -43,8 +43,8 @@ double bound(const Problem& p, const Whitener& w, const Candidate& c, Index k, d
             reach *= std::clamp(deviations / std::max(rise, 0.1), 1.2, 4.0);
             continue;
         }
-        reach = inside + (outside - inside) * (deviations - rise_inside) /
-                             (rise_outside - rise_inside);
+        reach =
+            inside + (outside - inside) * (deviations - rise_inside) / (rise_outside - rise_inside);
         if (outside - inside < 0.1 * outside) break;
     }
     return best + side * std::min(reach, room);
@@ -67,9 +67,8 @@ Estimate told(const Problem& p, const Candidate& c, const Unknown& x, Estimate e
 // lie within 81 degrees of x.
 void open_azimuth(const Problem& p, std::vector<Estimate>& list) {
     constexpr double widest = 81.0 / 180.0 * std::numbers::pi;
-    const bool falls = std::all_of(p.records.begin(), p.records.end(), [](const Record& r) {
-        return r.experiment->rig == "drop";
-    });
+    const bool falls = std::all_of(p.records.begin(), p.records.end(),
+                                   [](const Record& r) { return r.experiment->rig == "drop"; });
     if (!falls || list.size() != 1 || list.front().name != "tilt_angle") return;
     Estimate& e = list.front();
     const double azimuth = e.value < 0.0 ? std::numbers::pi : 0.0;

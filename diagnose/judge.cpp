@@ -52,10 +52,9 @@ double Judge::p_of_best_gain() const {
     for (const Candidate& c : singles) {
         const Term& term = *c.h.terms.front();
         const double gain = std::max(0.0, base.fit.objective() - c.fit.objective());
-        const double z =
-            normal_of_squares(gain, static_cast<double>(term.unknowns.size()) + 1.0);
-        const double looks = static_cast<double>(singles.size()) *
-                             (term.effect == "vibration" ? frequencies : 1.0);
+        const double z = normal_of_squares(gain, static_cast<double>(term.unknowns.size()) + 1.0);
+        const double looks =
+            static_cast<double>(singles.size()) * (term.effect == "vibration" ? frequencies : 1.0);
         least = std::min(least, looks * 0.5 * std::erfc(z / std::numbers::sqrt2));
     }
     return std::max(least, 1e-4);  // the tails of real noise are not known further out
@@ -65,10 +64,9 @@ double Judge::own_p(const Candidate& c, int n) const { return test(c, n).p_value
 
 // Whether the effect of most evidence leaves nothing to a second one: it passes its own test of mismatch and all gates.
 bool Judge::one_is_enough() const {
-    const auto best = std::max_element(singles.begin(), singles.end(),
-                                       [](const Candidate& a, const Candidate& b) {
-                                           return a.log_evidence < b.log_evidence;
-                                       });
+    const auto best = std::max_element(
+        singles.begin(), singles.end(),
+        [](const Candidate& a, const Candidate& b) { return a.log_evidence < b.log_evidence; });
     if (best == singles.end()) return false;
     const double p = own_p(*best, 399);
     return p >= 0.05 && passes(gates({problem, *whiten, base, *best, p, std::nan("")}, 0));

@@ -190,8 +190,8 @@ std::vector<Shape> shapes(const Problem& p, const Whitener& w, const Hypothesise
                 if (term.effect != "velocity_dependent_friction") continue;
                 // A grain that grips feels nothing of a little more or less friction.
                 for (const double share : {0.1, 0.3, 3.0}) {
-                    own[0] = std::clamp(share * nothing, term.unknowns[0].low,
-                                        term.unknowns[0].high);
+                    own[0] =
+                        std::clamp(share * nothing, term.unknowns[0].low, term.unknowns[0].high);
                     add(t, false, maker.shape(extended, own));
                 }
                 continue;
@@ -327,7 +327,7 @@ std::vector<Located> located(const Problem& p, const VectorXd& white, const Vect
                   .sign = signed_sum >= 0.0 ? 1 : -1,
                   .size = std::sqrt(squares / static_cast<double>(best_to - best_from + 1)),
                   .size_unit = unit_of_channel(c.name),
-                             .p_value = p_value}});
+                  .p_value = p_value}});
         }
     }
     std::stable_sort(list.begin(), list.end(),

@@ -57,8 +57,9 @@ cases::Recording blank_recording(const Design& d) {
     r.columns.push_back(at);
     if (passes == 2) r.columns.push_back(branch);
     for (const std::string& c : d.channels)
-        r.columns.push_back(
-            {.name = c, .unit = unit_of_channel(c), .values = std::vector<double>(at.values.size(), 0.0)});
+        r.columns.push_back({.name = c,
+                             .unit = unit_of_channel(c),
+                             .values = std::vector<double>(at.values.size(), 0.0)});
     return r;
 }
 
@@ -207,8 +208,8 @@ std::optional<NextExperiment> next_experiment(const Problem& p, const Noise& noi
                           .noise = outcome[best].noise,
                           .between = names,
                           .separation_sigma = outcome[best].sigma,
-                          .why = fmt::format("Of {} designs it sets {} furthest apart.", list.size(),
-                                             fmt::join(plain, " and "))};
+                          .why = fmt::format("Of {} designs it sets {} furthest apart.",
+                                             list.size(), fmt::join(plain, " and "))};
 }
 
 std::unique_ptr<Planned> with_held_out(const Problem& p, const Noise& noise) {

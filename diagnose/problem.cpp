@@ -301,8 +301,10 @@ Eigen::VectorXd predicted(const Problem& p, const Hypothesised& h, const Eigen::
 Eigen::VectorXd rows_of(const Problem& p, std::size_t record, const Eigen::VectorXd& v) {
     Eigen::VectorXd part = Eigen::VectorXd::Zero(v.size());
     for (const Channel& c : p.records[record].channels)
-        part.segment(static_cast<Eigen::Index>(c.first), static_cast<Eigen::Index>(c.recorded.size())) =
-            v.segment(static_cast<Eigen::Index>(c.first), static_cast<Eigen::Index>(c.recorded.size()));
+        part.segment(static_cast<Eigen::Index>(c.first),
+                     static_cast<Eigen::Index>(c.recorded.size())) =
+            v.segment(static_cast<Eigen::Index>(c.first),
+                      static_cast<Eigen::Index>(c.recorded.size()));
     return part;
 }
 

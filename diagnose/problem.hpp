@@ -17,9 +17,9 @@ namespace diagnose {
 
 struct Channel {
     std::string name;
-    std::vector<double> recorded;  // [rows], SI; NaN where nothing was measured
-    double stated_noise = 0.0;     // standard deviation; 0 where the case does not give it
-    std::size_t first = 0;         // place in the long vector
+    std::vector<double> recorded;         // [rows], SI; NaN where nothing was measured
+    double stated_noise = 0.0;            // standard deviation; 0 where the case does not give it
+    std::size_t first = 0;                // place in the long vector
     std::optional<double> own_run_rms{};  // of the user's own run minus this tool's (own_run.hpp)
     std::vector<double> own_run_off{};    // the same, [rows]; empty where it is negligible
 };

@@ -66,8 +66,8 @@ Starts tried(const Footing& on, const Term& term, const std::vector<VectorXd>& g
     Starts s;
     for (const VectorXd& u : grid) {
         const VectorXd values = to_theta(term.unknowns, u);
-        const VectorXd d = project(on.whiten(predicted(on.problem, h, carried(on, h, values)) -
-                                             on.fit.prediction));
+        const VectorXd d = project(
+            on.whiten(predicted(on.problem, h, carried(on, h, values)) - on.fit.prediction));
         if (d.squaredNorm() < 1.0) s.unseen += 1.0 / static_cast<double>(grid.size());
         const double chi = (left - d).squaredNorm();
         if (std::isfinite(chi)) s.best_first.push_back({chi, values});
@@ -117,12 +117,12 @@ std::array<Places, 2> large_vibrations(const Footing& on, const Term& term, int 
         const double omega = 2.0 * pi * values[1];
         values[0] = std::clamp(0.03 * std::pow(100.0, u[0]) * g / (omega * omega),
                                term.unknowns[0].low, term.unknowns[0].high);
-        const VectorXd z = on.fit.white - on.whiten(predicted(on.problem, h, carried(on, h, values)) -
-                                            on.fit.prediction);
+        const VectorXd z =
+            on.fit.white -
+            on.whiten(predicted(on.problem, h, carried(on, h, values)) - on.fit.prediction);
         const double all = z.squaredNorm(), part = z.cwiseProduct(early).squaredNorm();
         if (std::isfinite(all)) by_all.push_back({all, values});
-        if (std::isfinite(part))
-            by_early.push_back({part, values});
+        if (std::isfinite(part)) by_early.push_back({part, values});
     }
     for (auto* list : {&by_all, &by_early}) {
         sort(*list);
@@ -142,22 +142,21 @@ Starts vibrations(const Footing& on, const Term& term, int points) {
     Starts s;
     for (const double f : list) {
         // Small: plate speeds a thousandth of those at which the largest amplitude of the prior moves at 20 Hz.
-        const double small =
-            std::clamp(0.02 * amplitude.high / f, amplitude.low, amplitude.high);
+        const double small = std::clamp(0.02 * amplitude.high / f, amplitude.low, amplitude.high);
         MatrixXd two(left.size(), 2);
         for (const int k : {0, 1}) {
             VectorXd values(3);
             values << small, f, k == 0 ? 0.0 : 0.5 * pi;
-            two.col(k) = project(on.whiten(
-                predicted(on.problem, h, carried(on, h, values)) - on.fit.prediction));
+            two.col(k) = project(
+                on.whiten(predicted(on.problem, h, carried(on, h, values)) - on.fit.prediction));
         }
         Eigen::Matrix2d normal = two.transpose() * two;
         const double size = 0.5 * normal.trace();
         const double visible = size > 0.0 ? small / std::sqrt(size) : amplitude.high;
-        s.unseen += std::clamp(std::log(visible / amplitude.low) /
-                                   std::log(amplitude.high / amplitude.low),
-                               0.0, 1.0) /
-                    static_cast<double>(list.size());
+        s.unseen +=
+            std::clamp(std::log(visible / amplitude.low) / std::log(amplitude.high / amplitude.low),
+                       0.0, 1.0) /
+            static_cast<double>(list.size());
         normal.diagonal().array() += 1e-9 * size + 1e-12;
         const Eigen::Vector2d solved = normal.inverse() * (two.transpose() * left);
         const double chi = (left - two * solved).squaredNorm();

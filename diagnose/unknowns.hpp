@@ -48,7 +48,7 @@ struct Term {
     std::vector<std::string>
         idle{};              // parameters of the base model that have no influence beside it
     bool two_sided = false;  // the first unknown may have either sign
-    std::string missing_variable{};  // of a missing force
+    std::string missing_variable{};        // of a missing force
     std::set<std::string> missing_rigs{};  // those whose state has that variable; it acts there
     std::vector<double> missing_knots{};
 };

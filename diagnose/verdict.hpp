@@ -110,9 +110,9 @@ struct Verdict {
     Answer answer;
     double p_value;  // global
     std::vector<Located> located;
-    std::vector<Hypothesis> hypotheses;  // falling probability, sum 1
+    std::vector<Hypothesis> hypotheses;           // falling probability, sum 1
     std::vector<std::vector<std::string>> alike;  // names of those that cannot be told apart
-    std::vector<Effect> effects;         // falling probability
+    std::vector<Effect> effects;                  // falling probability
     std::optional<Scores> fit, held_out;
     std::vector<Estimate> refitted;
     std::optional<NextExperiment> next_experiment;

@@ -75,9 +75,8 @@ Fit least_base(const Skeleton& sk, const std::vector<std::size_t>& list,
             for (int k = 0; k < points; ++k) {
                 const double share = (k + 0.5) / points;
                 finer.push_back(w);
-                finer.back().*u.in_world = u.logarithmic
-                                               ? u.low * std::pow(u.high / u.low, share)
-                                               : u.low + share * (u.high - u.low);
+                finer.back().*u.in_world = u.logarithmic ? u.low * std::pow(u.high / u.low, share)
+                                                         : u.low + share * (u.high - u.low);
             }
         if (finer.size() <= points * points) grid = std::move(finer);
     }

@@ -38,8 +38,7 @@ void Stepper::advance(double& t, double until, double& h, double* y) {
     }
     const int status =
         gsl_odeiv2_evolve_apply(evolve_, control_, step_, &system_, &t, until, &h, y);
-    if (status != GSL_SUCCESS || !std::isfinite(y[0]))
-        throw NoStep();
+    if (status != GSL_SUCCESS || !std::isfinite(y[0])) throw NoStep();
 }
 
 void Stepper::restart() {

@@ -92,10 +92,8 @@ TEST_CASE("diagnose: an unknown force is looked for across recordings of two rig
     // The magnet is beneath the drops alone: nothing that acts on both explains it.
     for (const cases::Experiment& e : other.experiments)
         if (!e.held_out) c.experiments.push_back(e);
-    const diagnose::Verdict v =
-        diagnose::diagnose(c, {.seed = 1, .threads = 2}, [](cases::Case& sealed) {
-            cases::open_held_out(sealed);
-        });
+    const diagnose::Verdict v = diagnose::diagnose(
+        c, {.seed = 1, .threads = 2}, [](cases::Case& sealed) { cases::open_held_out(sealed); });
     CHECK(v.answer == diagnose::Answer::unexplained);
     REQUIRE(v.effects.front().missing);
 }

@@ -4,7 +4,6 @@
 #include "line.hpp"
 
 #include <Eigen/LU>
-
 #include <catch2/catch.hpp>
 
 using namespace diagnose;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The user's own run is one of LAMMPS (data/lammps-bounce/SOURCE.txt), once resolved and once in steps that are too long.
+#include "diagnose/own_run.hpp"
+
 #include "cases/read_case.hpp"
 #include "diagnose/diagnose.hpp"
-#include "diagnose/own_run.hpp"
 
 #include <catch2/catch.hpp>
 
