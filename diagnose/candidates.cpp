@@ -168,13 +168,13 @@ std::vector<Candidate> pairs_of(const Problem& p, const Whitener& w,
         c.log_evidence = c.fit.log_evidence;
         pairs[k] = std::move(c);
     });
-    // Two effects of which one shows nothing that the other leaves (3 sigma) are that other.
+    // Two effects of which one shows nothing that the other leaves are that other.
     std::erase_if(pairs, [&](const Candidate& pair) {
         return std::any_of(singles.begin(), singles.end(), [&](const Candidate& single) {
             const Term* term = single.h.terms.front();
             return std::find(pair.h.terms.begin(), pair.h.terms.end(), term) !=
                        pair.h.terms.end() &&
-                   single.fit.objective() < pair.fit.objective() + 9.0;
+                   single.fit.objective() < pair.fit.objective() + seen;
         });
     });
     return pairs;

@@ -44,6 +44,9 @@ std::vector<Candidate> with_missing_force(const Problem&, const Whitener&, const
 // apart. The problem may hold further experiments than those of the fits.
 double separation(const Problem&, const Whitener&, const Candidate& truth, const Candidate& other);
 
+// Drop in chi squared below which one effect shows nothing that another leaves: 3 sigma.
+constexpr double seen = 9.0;
+
 double log_sum(double a, double b);  // of exp(a) + exp(b)
 
 // f(0) .. f(count - 1) on so many threads.

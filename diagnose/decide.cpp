@@ -55,7 +55,7 @@ class Decision {
     Verdict& v_;
     std::vector<Group> groups_;  // stays in its order: what follows points into it
     const Group* winner_ = nullptr;
-    const Group* unknown_ = nullptr;
+    Group* unknown_ = nullptr;
     std::map<const Group*, double> own_p_;
     std::vector<const Group*> rivals_;  // nearest first
 
@@ -68,7 +68,7 @@ class Decision {
     // Of most weight among those that pass their own test of mismatch; the best few are asked.
     void find_winner() {
         int asked = 0;
-        for (const Group& g : groups_) {
+        for (Group& g : groups_) {
             if (is_unknown(g)) unknown_ = &g;
             if (winner_ || g.effects.empty() || is_unknown(g) || asked >= 6) continue;
             ++asked;
@@ -102,13 +102,11 @@ class Decision {
         for (const auto& [apart, g] : list) rivals_.push_back(g);
     }
 
-    // Of the user's model with a fine step; NaN where that changes nothing (3 sigma).
+    // Of the user's model with a fine step; NaN where that changes nothing.
     double refined_p() const {
-        for (const Candidate& c : j_.singles)
-            if (c.h.terms.front()->effect == "numerical_artefact" &&
-                c.fit.objective() < j_.base.fit.objective() - 9.0)
-                return j_.own_p(c, 399);
-        return std::nan("");
+        const Candidate* c = j_.artefact();
+        const bool changes = c && c->fit.objective() < j_.base.fit.objective() - seen;
+        return changes ? j_.own_p(*c, 399) : std::nan("");
     }
 
     void weigh_winner() {
@@ -175,8 +173,7 @@ class Decision {
         for (Group& g : groups_)
             if (&g != unknown_) moved += (1.0 - left) * g.probability, g.probability *= left;
         if (unknown_) {
-            const auto at = static_cast<std::size_t>(unknown_ - groups_.data());
-            groups_[at].probability += moved;
+            unknown_->probability += moved;
             v_.effects.push_back(effect_of(*unknown_, *unknown_->best->h.terms.back()));
         } else {
             v_.effects.push_back({.name = "unknown",

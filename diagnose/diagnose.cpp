@@ -2,7 +2,6 @@
 #include "diagnose/diagnose.hpp"
 
 #include "diagnose/catalogue.hpp"
-#include "diagnose/gates.hpp"
 #include "diagnose/intervals.hpp"
 #include "diagnose/judge.hpp"
 #include "diagnose/own_run.hpp"
@@ -16,7 +15,6 @@
 #include <cmath>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <set>
 
 namespace diagnose {

@@ -24,13 +24,9 @@ std::vector<Group> groups_of(const Judge& j) {
     };
     add(j.base);
     // Whatever is added is run with a fine step, too. What does no more than that is the artefact alone.
-    const auto artefact = std::find_if(j.singles.begin(), j.singles.end(), [](const Candidate& c) {
-        return c.h.terms.front()->effect == "numerical_artefact";
-    });
-    constexpr double seen = 9.0;  // in chi squared
+    const Candidate* artefact = j.artefact();
     for (const Candidate& c : j.singles)
-        if (artefact == j.singles.end() || &c == &*artefact ||
-            c.fit.objective() < artefact->fit.objective() - seen ||
+        if (!artefact || &c == artefact || c.fit.objective() < artefact->fit.objective() - seen ||
             artefact->fit.objective() > j.base.fit.objective() - seen)
             add(c);
     for (const Candidate& c : j.pairs) add(c);

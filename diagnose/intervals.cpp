@@ -56,6 +56,18 @@ double at(const Candidate& c, Index k, double u) {
     return to_theta(c.h.unknowns, all)[k];
 }
 
+struct Ends {
+    double low, high;  // u
+};
+
+// At first order, cut at the hard ends.
+Ends first_order(const std::vector<Unknown>& unknowns, const Fit& f, Index k) {
+    const Unknown& x = unknowns[static_cast<std::size_t>(k)];
+    const double u = to_u(unknowns, f.theta)[k];
+    const double reach = deviations * std::sqrt(f.covariance(k, k));
+    return {std::max(u - reach, lowest(x)), std::min(u + reach, highest(x))};
+}
+
 // The user's drag factor as the coefficient of the fastest sphere.
 Estimate told(const Problem& p, const Candidate& c, const Unknown& x, Estimate e) {
     if (x.key != "drag_factor") return e;
@@ -102,10 +114,8 @@ std::vector<Estimate> estimates(const Problem& p, const Whitener& w, const Candi
         const Unknown& x = c.h.unknowns[k];
         double a = bound(p, w, c, i, -1.0), b = bound(p, w, c, i, 1.0);
         for (const Fit& f : others) {
-            const double u = to_u(c.h.unknowns, f.theta)[i];
-            const double reach = deviations * std::sqrt(f.covariance(i, i));
-            a = std::min(a, std::max(u - reach, lowest(x)));
-            b = std::max(b, std::min(u + reach, highest(x)));
+            const Ends there = first_order(c.h.unknowns, f, i);
+            a = std::min(a, there.low), b = std::max(b, there.high);
         }
         a = at(c, i, a), b = at(c, i, b);
         list.push_back(told(p, c, x, {x.name, x.unit, c.fit.theta[i], a, b}));
@@ -121,11 +131,9 @@ std::vector<Estimate> refitted(const Problem& p, const Candidate& c) {
     for (std::size_t k = 0; k < last; ++k) {
         const auto i = static_cast<Index>(k);
         const Unknown& x = c.h.unknowns[k];
-        const double u = to_u(c.h.unknowns, c.fit.theta)[i];
-        const double reach = deviations * std::sqrt(c.fit.covariance(i, i));
-        const double a = at(c, i, std::max(u - reach, lowest(x))),
-                     b = at(c, i, std::min(u + reach, highest(x)));
-        list.push_back(told(p, c, x, {x.name, x.unit, c.fit.theta[i], a, b}));
+        const Ends ends = first_order(c.h.unknowns, c.fit, i);
+        list.push_back(told(
+            p, c, x, {x.name, x.unit, c.fit.theta[i], at(c, i, ends.low), at(c, i, ends.high)}));
     }
     return list;
 }
@@ -147,8 +155,8 @@ MissingForceEstimate missing_of(const Candidate& c) {
     const auto n = static_cast<Index>(term.unknowns.size());
     for (Index k = c.fit.theta.size() - n; k < c.fit.theta.size(); ++k) {
         m.force.push_back(c.fit.theta[k]);
-        m.low.push_back(c.fit.theta[k] - 1.645 * errors[k]);
-        m.high.push_back(c.fit.theta[k] + 1.645 * errors[k]);
+        m.low.push_back(c.fit.theta[k] - deviations * errors[k]);
+        m.high.push_back(c.fit.theta[k] + deviations * errors[k]);
     }
     m.words = described(m);
     return m;

@@ -11,6 +11,12 @@ namespace diagnose {
 
 using Eigen::VectorXd;
 
+const Candidate* Judge::artefact() const {
+    for (const Candidate& c : singles)
+        if (c.h.terms.front()->effect == "numerical_artefact") return &c;
+    return nullptr;
+}
+
 void Judge::fit_singles() {
     singles.assign(terms.size(), {});
     in_parallel(terms.size(), settings.threads,

@@ -49,6 +49,7 @@ struct Judge {
                 if (cost(c) < cost(*best) - 2.0) best = &c;
         return *best;
     }
+    const Candidate* artefact() const;  // the single numerical_artefact; null where there is none
     void fit_singles();
     void estimate_noise();
     void refit_all();

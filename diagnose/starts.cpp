@@ -77,7 +77,7 @@ Starts tried(const Footing& on, const Term& term, const std::vector<VectorXd>& g
 }
 
 // m/s^2
-double weight_at(const Problem& p) {
+double gravity_of(const Problem& p) {
     const double g = p.records.front().experiment->surroundings.gravity.value();
     return g > 0.0 ? g : 9.81;
 }
@@ -105,7 +105,7 @@ std::array<Places, 2> large_vibrations(const Footing& on, const Term& term, int 
     constexpr std::size_t few = 6;
     const Hypothesised h = plus(on.problem, on.h, term);
     const VectorXd early = early_rows(on.problem, 0.4);
-    const double g = weight_at(on.problem);
+    const double g = gravity_of(on.problem);
     Places by_all, by_early;
     VectorXd u(3);
     for (int k = 1; k <= points; ++k) {
@@ -137,6 +137,7 @@ Starts vibrations(const Footing& on, const Term& term, int points) {
     const Projection project(on.h.unknowns, on.fit);
     const VectorXd left = project(on.fit.white);
     const Unknown &amplitude = term.unknowns[0], &frequency = term.unknowns[1];
+    const double g = gravity_of(on.problem);
     const std::vector<double> list =
         frequencies(frequency.low, frequency.high, longest_record(on.problem));
     Starts s;
@@ -161,7 +162,7 @@ Starts vibrations(const Footing& on, const Term& term, int points) {
         const Eigen::Vector2d solved = normal.inverse() * (two.transpose() * left);
         const double chi = (left - two * solved).squaredNorm();
         const double peak = small * solved.norm() * 4.0 * pi * pi * f * f;
-        if (!std::isfinite(chi) || peak > 3.0 * weight_at(on.problem)) continue;
+        if (!std::isfinite(chi) || peak > 3.0 * g) continue;
         VectorXd values(3);
         values << std::clamp(small * solved.norm(), amplitude.low, amplitude.high), f,
             std::fmod(std::atan2(solved[1], solved[0]) + 2.0 * pi, 2.0 * pi);
@@ -216,6 +217,7 @@ std::vector<VectorXd> distinct(const Term& term, const Starts& s, std::size_t mo
         });
         if (fresh) list.push_back(values), places.push_back(u);
     }
+    if (list.empty()) list.push_back(start_of(term.unknowns));  // no place gave a number
     return list;
 }
 

@@ -71,8 +71,8 @@ Ordinates recorded_ordinates(const cases::Experiment&);
 // Where the user's own run has them. Throws scaling::InvalidInput where there is none.
 Ordinates simulated_ordinates(const cases::Experiment&);
 
-// Where the recording has its rows, else the user's own run; where there is neither, a range that shows the rig: two seconds, 2 to 88 degrees,
-// twice the overlap under the preload outwards and once inwards.
+// Where the recording has its rows, else the user's own run; where there is neither, a range that shows the rig: two seconds,
+// 2 to 88 degrees, twice the overlap under the preload outwards and once inwards.
 Ordinates ordinates_of(const cases::Experiment&);
 
 // The channel that the ordinates are: "t", "angle", "separation" or "displacement".
