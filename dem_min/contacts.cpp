@@ -31,19 +31,23 @@ Dissipation& Dissipation::operator+=(const Dissipation& other) {
     return *this;
 }
 
-std::vector<Array*> Contacts::arrays() {
-    std::vector<Array*> all;
-    visit_state(*this, [&](auto& array) { all.push_back(&array); });
-    visit_books(books, [&](auto& array) { all.push_back(&array); });
+namespace {
+
+template <class Pointer>
+std::array<Pointer, 30> all_arrays(auto& contacts) {
+    std::array<Pointer, 30> all;
+    auto next = all.begin();
+    const auto note = [&](auto& array) { *next++ = &array; };
+    visit_state(contacts, note);
+    visit_books(contacts.books, note);
     return all;
 }
 
-std::vector<const Array*> Contacts::arrays() const {
-    std::vector<const Array*> all;
-    visit_state(*this, [&](auto& array) { all.push_back(&array); });
-    visit_books(books, [&](auto& array) { all.push_back(&array); });
-    return all;
-}
+}  // namespace
+
+std::array<Array*, 30> Contacts::arrays() { return all_arrays<Array*>(*this); }
+
+std::array<const Array*, 30> Contacts::arrays() const { return all_arrays<const Array*>(*this); }
 
 void Contacts::add(int grain_i, int partner_j, const ContactConstants& constants, bool with_books) {
     if (count() == 0) alike = true, common = constants;
@@ -58,15 +62,21 @@ void Contacts::add(int grain_i, int partner_j, const ContactConstants& constants
     length_scale.back() = constants.length_scale;
 }
 
-void Contacts::add_copy(const Contacts& other, std::size_t slot, int grain_i, int partner_j) {
-    if (count() == 0) alike = other.alike, common = other.common;
-    alike = alike && other.alike && other.common == common;
+void Contacts::append(const std::vector<Copy>& copies) {
     const auto to = arrays();
-    const auto from = other.arrays();
-    for (std::size_t a = 0; a < to.size(); ++a)
-        if (!from[a]->empty()) to[a]->push_back((*from[a])[slot]);
-    i.push_back(grain_i);
-    j.push_back(partner_j);
+    for (std::size_t first = 0, last = 0; first < copies.size(); first = last) {
+        const Contacts& other = *copies[first].from;
+        while (last < copies.size() && copies[last].from == &other) ++last;
+        if (count() == 0) alike = other.alike, common = other.common;
+        alike = alike && other.alike && other.common == common;
+        const auto from = other.arrays();
+        for (std::size_t a = 0; a < to.size(); ++a)
+            if (!from[a]->empty())
+                for (std::size_t k = first; k < last; ++k)
+                    to[a]->push_back((*from[a])[copies[k].slot]);
+        for (std::size_t k = first; k < last; ++k)
+            i.push_back(copies[k].i), j.push_back(copies[k].j);
+    }
 }
 
 void Contacts::remove(std::size_t slot) {

@@ -6,6 +6,7 @@
 #include "contact/vec3.hpp"
 #include "dem_min/array.hpp"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -54,12 +55,18 @@ struct Contacts {
 
     std::size_t count() const { return i.size(); }
     void add(int grain_i, int partner_j, const ContactConstants&, bool with_books);
-    void add_copy(const Contacts& other, std::size_t slot, int grain_i, int partner_j);
+    // The contacts of others, histories and all, between grains that may have new numbers.
+    struct Copy {
+        int i, j;
+        const Contacts* from;
+        std::size_t slot;
+    };
+    void append(const std::vector<Copy>&);
     void remove(std::size_t slot);  // the last contact takes the slot
     void clear();
 
-    std::vector<Array*> arrays();  // books too
-    std::vector<const Array*> arrays() const;
+    std::array<Array*, 30> arrays();  // books too
+    std::array<const Array*, 30> arrays() const;
 };
 
 }  // namespace dem_min

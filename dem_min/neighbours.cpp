@@ -126,7 +126,8 @@ Classes make_classes(const Simulation& s, double widest_margin) {
     }
     double r = largest;
     for (const std::vector<int>& grains : members) {
-        classes.grids.push_back(make_grid(s, grains, 2.0 * (r + widest_margin)));
+        classes.grids.push_back(grains.empty() ? Grid{}
+                                               : make_grid(s, grains, 2.0 * (r + widest_margin)));
         r *= 0.5;
     }
     return classes;
@@ -207,7 +208,8 @@ void search(const Simulation& s, const Classes& classes, const Partners& touchin
     for (std::size_t i = first; i < last; ++i) {
         const int size = classes.of[i];
         const double own = p.radius[i] + s.tiles[t].margin;
-        for (int larger = 0; larger <= size; ++larger)
+        for (int larger = 0; larger <= size; ++larger) {
+            if (classes.grids[static_cast<std::size_t>(larger)].grain.empty()) continue;
             visit_near(classes.grids[static_cast<std::size_t>(larger)], p, i, [&](int other) {
                 const auto j = static_cast<std::size_t>(other);
                 if (larger == size && j <= i) return;
@@ -220,6 +222,7 @@ void search(const Simulation& s, const Classes& classes, const Partners& touchin
                 found.push_back(
                     {static_cast<int>(std::min(i, j)), static_cast<int>(std::max(i, j)), gap});
             });
+        }
     }
 }
 

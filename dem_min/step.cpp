@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "dem_min/forces.hpp"
 #include "dem_min/neighbours.hpp"
+#include "dem_min/shares.hpp"
 #include "dem_min/vector_clones.hpp"
 
 #include <algorithm>
@@ -10,20 +11,20 @@
 namespace dem_min {
 namespace {
 
-// Calls each(first, last, spare) for the tiles of each thread. A thread always has the same tiles, whose data stay in its cache: given to
-// whoever comes first, two threads were no faster than one.
+// Calls each(thread, take) in every thread; take() gives one tile after another to it, and -1 at the end.
 template <class Each>
-void for_each_share(Simulation& s, Each&& each) {
+void share(Simulation& s, Each&& each) {
     const int team = s.team(), tiles = static_cast<int>(s.tiles.size());
-    if (team == 1 || static_cast<int>(s.shares.size()) != team + 1 || s.shares.back() != tiles) {
-        each(std::size_t{0}, s.tiles.size(), s.spare.front());
-        return;
+    if (static_cast<int>(s.shares.size()) != team + 1 || s.shares.back() != tiles) {
+        s.shares.assign(static_cast<std::size_t>(team) + 1,
+                        tiles);  // all to the first, until the list is renewed
+        s.shares.front() = 0;
     }
-#pragma omp parallel for schedule(static, 1) num_threads(team)
-    for (int share = 0; share < team; ++share)
-        each(static_cast<std::size_t>(s.shares[static_cast<std::size_t>(share)]),
-             static_cast<std::size_t>(s.shares[static_cast<std::size_t>(share) + 1]),
-             s.spare[static_cast<std::size_t>(share)]);
+    Shares shares(s.shares);
+#pragma omp parallel for schedule(static, 1) num_threads(team) if (team > 1)
+    for (int thread = 0; thread < team; ++thread)
+        each(s.spare[static_cast<std::size_t>(thread)],
+             [&shares, thread] { return shares.take(thread); });
 }
 
 // Adds the loads of a block to its grains. A contact that has torn loads nobody; its slot goes to `torn`.
@@ -225,43 +226,53 @@ void finish_tile(Simulation& s, std::size_t t, bool goes_on, Spare& spare) {
     give_back(spare.loads, s.tiles[t].loads);
 }
 
-// True if tile t may be finished when [first, loaded) have been loaded, by the thread that has the tiles from `first` on: all that
-// look at its grains or load them are among those.
-bool ready(const Simulation& s, std::size_t t, std::size_t first, std::size_t loaded) {
-    const std::vector<int>& partners = s.tiles[t].partners;
-    return partners.empty() || (static_cast<std::size_t>(partners.front()) >= first &&
-                                static_cast<std::size_t>(partners.back()) < loaded);
-}
+// The tiles [first, last) that one thread has loaded, and those of them that it has yet to finish, or whose outbox is in use.
+struct Loaded {
+    int first = 0, last = 0;
+    std::vector<int> open, in_use;
 
-// True if all that other tiles, of [first, loaded), need from the outbox of tile t has been fetched.
-bool fetched(const Simulation& s, std::size_t t, std::size_t first, std::size_t loaded) {
-    const std::vector<int>& partners = s.tiles[t].partners;
-    return ready(s, t, first, loaded) &&
-           std::all_of(partners.begin(), partners.end(), [&](int partner) {
-               return s.tiles[static_cast<std::size_t>(partner)].finished;
-           });
-}
+    void add(int t) {
+        if (first == last)
+            first = t, last = t + 1;
+        else if (t == last)
+            ++last;
+        else if (t == first - 1)
+            --first;
+        else
+            return;  // taken from another thread, which has its partners
+        open.push_back(t);
+    }
+    // All that look at the grains of a tile or load them are among the tiles loaded.
+    bool has_partners(const Tile& tile) const {
+        return tile.partners.empty() ||
+               (tile.partners.front() >= first && tile.partners.back() < last);
+    }
+};
 
-// Loads of the tiles [first, last), each of which is finished as soon as it may be, while its grains are still in the cache.
-void load_share(Simulation& s, std::size_t first, std::size_t last, bool goes_on, Spare& spare) {
+// Takes and loads tiles, each of which is finished as soon as it may be, while its grains are still in the cache.
+template <class Take>
+void load_tiles(Simulation& s, Spare& spare, Take&& take_tile, bool goes_on) {
     const bool tiles_may_sleep = s.settings.sleep_speed > 0.0;  // their outboxes are read for long
-    std::size_t next = first, in_use = first;  // tiles before these are finished; have no outbox
-    for (std::size_t t = first; t < last; ++t) {
-        if (!s.tiles[t].asleep) load_tile(s, t, spare);
-        s.tiles[t].finished = false;
-        for (; next <= t && ready(s, next, first, t + 1); ++next)
-            finish_tile(s, next, goes_on, spare);
-        while (next <= t && !s.tiles[next].partners.empty() &&
-               (static_cast<std::size_t>(s.tiles[next].partners.front()) < first ||
-                static_cast<std::size_t>(s.tiles[next].partners.back()) >= last))
-            ++next;  // another thread's tiles must be loaded first
+    const auto tile = [&](int t) -> Tile& { return s.tiles[static_cast<std::size_t>(t)]; };
+    Loaded loaded;
+    for (int t = take_tile(); t >= 0; t = take_tile()) {
+        if (!tile(t).asleep) load_tile(s, static_cast<std::size_t>(t), spare);
+        loaded.add(t);
+        std::erase_if(loaded.open, [&](int k) {
+            if (!loaded.has_partners(tile(k))) return false;
+            finish_tile(s, static_cast<std::size_t>(k), goes_on, spare);
+            loaded.in_use.push_back(k);
+            return true;
+        });
         if (tiles_may_sleep) continue;
-        for (; in_use < next; ++in_use) {
-            if (fetched(s, in_use, first, t + 1))
-                give_back(spare.outboxes, s.tiles[in_use].outbox.loads);
-            else if (ready(s, in_use, first, last))
-                break;  // some partner is to come
-        }
+        std::erase_if(loaded.in_use, [&](int k) {
+            const std::vector<int>& partners = tile(k).partners;
+            if (!std::all_of(partners.begin(), partners.end(),
+                             [&](int partner) { return tile(partner).finished; }))
+                return false;
+            give_back(spare.outboxes, tile(k).outbox.loads);
+            return true;
+        });
     }
 }
 
@@ -275,20 +286,21 @@ void advance(Simulation& s, std::int64_t steps) {
         if (time_to_reorder(s)) reorder(s);
         fit_tiles(s);
         if (!begun)
-            for_each_share(s, [&](std::size_t first, std::size_t last, Spare&) {
-                for (std::size_t t = first; t < last; ++t)
-                    if (!s.tiles[t].asleep) note(s, s.tiles[t], begin_step(s, t));
+            share(s, [&](Spare&, auto&& take_tile) {
+                for (int t = take_tile(); t >= 0; t = take_tile())
+                    if (Tile& tile = s.tiles[static_cast<std::size_t>(t)]; !tile.asleep)
+                        note(s, tile, begin_step(s, static_cast<std::size_t>(t)));
             });
         look_after(s);
         ++s.steps;
         begun = done + 1 < steps && !time_to_reorder(s);
-        for_each_share(s, [&](std::size_t first, std::size_t last, Spare& spare) {
-            load_share(s, first, last, begun, spare);
-        });
+        for (Tile& tile : s.tiles) tile.finished = false;
+        share(s, [&](Spare& spare, auto&& take_tile) { load_tiles(s, spare, take_tile, begun); });
         hand_over(s);
-        for_each_share(s, [&](std::size_t first, std::size_t last, Spare& spare) {
-            for (std::size_t t = first; t < last; ++t)
-                if (!s.tiles[t].finished) finish_tile(s, t, begun, spare);
+        share(s, [&](Spare& spare, auto&& take_tile) {
+            for (int t = take_tile(); t >= 0; t = take_tile())
+                if (!s.tiles[static_cast<std::size_t>(t)].finished)
+                    finish_tile(s, static_cast<std::size_t>(t), begun, spare);
         });
     }
 }

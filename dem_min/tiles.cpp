@@ -39,19 +39,6 @@ std::vector<std::uint64_t> places(const Particles& p, bool from_below) {
     return codes;
 }
 
-// The contacts of a group in the order of their grains: what a loop needs next lies next to what it has just had.
-void sort_by_grain(Contacts& contacts) {
-    std::vector<std::size_t> order(contacts.count());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-        return std::pair{contacts.i[a], contacts.j[a]} < std::pair{contacts.i[b], contacts.j[b]};
-    });
-    Contacts sorted;
-    for (const std::size_t slot : order)
-        sorted.add_copy(contacts, slot, contacts.i[slot], contacts.j[slot]);
-    contacts = std::move(sorted);
-}
-
 }  // namespace
 
 void Candidates::add(int grain_i, int partner_j, double when) {
@@ -78,7 +65,7 @@ void fit_tiles(Simulation& s) {
     for (Tile& tile : s.tiles) tile.groups.resize(s.groups());
 }
 
-void renumber(Simulation& s, const std::vector<int>& new_index) {
+void renumber(Simulation& s, const std::vector<int>& new_index, bool by_grain) {
     s.grains.renumber(new_index);
     std::vector<Tile> old = std::move(s.tiles);
     s.tiles.clear();
@@ -86,6 +73,8 @@ void renumber(Simulation& s, const std::vector<int>& new_index) {
     // A tile that was quiet is looked at once more, with the grains that it has now, and may sleep again.
     for (std::size_t t = 0; t < s.tiles.size() && t < old.size(); ++t)
         s.tiles[t].quiet_steps = std::min(old[t].quiet_steps, steps_to_sleep - 1);
+    std::vector<std::vector<std::vector<Contacts::Copy>>> copies(s.tiles.size());  // [tile][group]
+    for (auto& of_tile : copies) of_tile.resize(s.groups());
     for (const Tile& tile : old) {
         s.past.heat += tile.ended;
         for (std::size_t g = 0; g < tile.groups.size(); ++g) {
@@ -95,8 +84,21 @@ void renumber(Simulation& s, const std::vector<int>& new_index) {
                 const int j =
                     s.at_wall(g) ? from.j[slot] : new_index[static_cast<std::size_t>(from.j[slot])];
                 if (i < 0 || j < 0) continue;
-                s.tiles[static_cast<std::size_t>(tile_of(i))].groups[g].add_copy(from, slot, i, j);
+                copies[static_cast<std::size_t>(tile_of(i))][g].push_back({i, j, &from, slot});
             }
+        }
+    }
+    const int tiles = static_cast<int>(s.tiles.size()), team = s.team();
+#pragma omp parallel for schedule(static) num_threads(team) if (team > 1)
+    for (int index = 0; index < tiles; ++index) {
+        const auto t = static_cast<std::size_t>(index);
+        for (std::size_t g = 0; g < s.groups(); ++g) {
+            std::vector<Contacts::Copy>& group = copies[t][g];
+            if (by_grain)
+                std::sort(group.begin(), group.end(), [](const auto& a, const auto& b) {
+                    return std::pair{a.i, a.j} < std::pair{b.i, b.j};
+                });
+            s.tiles[t].groups[g].append(group);
         }
     }
     s.list_is_stale = true;
@@ -114,9 +116,7 @@ void reorder(Simulation& s) {
     std::vector<int> new_index(n);
     for (std::size_t k = 0; k < n; ++k)
         new_index[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
-    renumber(s, new_index);
-    for (Tile& tile : s.tiles)
-        for (Contacts& group : tile.groups) sort_by_grain(group);
+    renumber(s, new_index, true);
 }
 
 }  // namespace dem_min

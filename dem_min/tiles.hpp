@@ -100,8 +100,9 @@ struct Tile {
 void fit_tiles(Simulation&);
 
 // Moves grain k to new_index[k] (a permutation, or -1: taken out, contacts and all), and each contact to the tile of its
-// grain i. Shape: [grains]. The order of slots follows that of the old tiles.
-void renumber(Simulation&, const std::vector<int>& new_index);
+// grain i. Shape: [grains]. The order of slots follows that of the old tiles or, `by_grain`, that of the grains, so that what a
+// loop needs next lies next to what it has just had.
+void renumber(Simulation&, const std::vector<int>& new_index, bool by_grain = false);
 
 // Grains that are near in space become near in memory, see `places` in tiles.cpp, and contacts are sorted by their grains. Does
 // nothing where all grains fit one tile.
