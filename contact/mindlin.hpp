@@ -30,7 +30,8 @@ struct Mindlin {
 
     // The work of the spring is counted at the middle of the step, so that sticking without a
     // dashpot costs nothing.
-    TangentialState step(const TangentialInput& in) const {
+    template <class AnySlider = Slider>
+    TangentialState step(const TangentialInput& in, AnySlider&& slider = {}) const {
         const double limit = sliding_friction * in.cap_force;
         const double k = 8.0 * g_star * in.contact_radius;
         const double c =
@@ -41,9 +42,9 @@ struct Mindlin {
         const Vec3 start = shrunk * turned_into_plane(in.spring, in.n);
         const Vec3 slip = in.dt * in.slip_velocity;
         const Vec3 trial = start + slip;
-        const Vec3 spring = yield_share(k * norm(trial), limit) * trial;
+        const Vec3 spring = slider.share(k * k * dot(trial, trial), limit) * trial;
         const Vec3 elastic = k * spring;
-        const Vec3 resisting = clipped(elastic + c * in.slip_velocity, limit);
+        const Vec3 resisting = clipped(elastic + c * in.slip_velocity, limit, slider);
 
         const double stored_before = 4.0 * g_star * in.previous_radius * dot(in.spring, in.spring);
         const double stiffness_change = stored_before - 0.5 * k * dot(start, start);

@@ -26,7 +26,9 @@ struct RollingEpsd {
     // Throws InvalidParameter unless both are >= 0 and finite.
     static RollingEpsd from(double rolling_friction, double damping_ratio);
 
-    RollingState step(const RollingInput& in) const {  // spring: theta, rad
+    template <class AnySlider = Slider>
+    RollingState step(const RollingInput& in,
+                      AnySlider&& slider = {}) const {  // spring: theta, rad
         const double arm = rolling_friction * in.r_star;
         const double limit = arm * in.cap_force;
         const double k_per_radius = 3.0 * in.e_star * arm * arm;
@@ -34,14 +36,14 @@ struct RollingEpsd {
         const Vec3 spin = tangential_part(in.spin_j - in.spin_i, in.n);
         const Vec3 turn = in.dt * spin;
         const Vec3 trial = turned_into_plane(in.spring, in.n) + turn;
-        const double share = yield_share(k * norm(trial), limit);
+        const double share = slider.share(k * k * dot(trial, trial), limit);
         const Vec3 spring = share * trial;
         const Vec3 elastic = k * spring;
 
         const double inverse_inertia = in.inverse_inertia_i + in.inverse_inertia_j;
         const double inertia = inverse_inertia > 0.0 ? 3.5 / inverse_inertia : 0.0;
         const double c = share < 1.0 ? 0.0 : 2.0 * damping_ratio * std::sqrt(inertia * k);
-        const Vec3 resisting = clipped(elastic + c * spin, limit);
+        const Vec3 resisting = clipped(elastic + c * spin, limit, slider);
 
         const double stiffness_change = 0.5 * k_per_radius *
                                         (in.previous_radius - in.contact_radius) *

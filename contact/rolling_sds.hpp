@@ -25,12 +25,13 @@ struct RollingSds {
     // Throws InvalidParameter unless stiffness > 0, damping and rolling friction >= 0, all finite.
     static RollingSds from(scaling::Stiffness, scaling::Damping, double rolling_friction);
 
-    RollingState step(const RollingInput& in) const {  // spring: xi, m
+    template <class AnySlider = Slider>
+    RollingState step(const RollingInput& in, AnySlider&& slider = {}) const {  // spring: xi, m
         const Vec3 velocity = in.r_star * cross(in.spin_i - in.spin_j, in.n);
         const Vec3 path = in.dt * velocity;
         const Vec3 trial = turned_into_plane(in.spring, in.n) + path;
         const Vec3 sum = stiffness * trial + damping * velocity;
-        const Vec3 resisting = clipped(sum, rolling_friction * in.cap_force);  // -f
+        const Vec3 resisting = clipped(sum, rolling_friction * in.cap_force, slider);  // -f
         // (resisting - damping velocity)/stiffness, and to the last bit the trial while it sticks
         const Vec3 spring = trial - (1.0 / stiffness) * (sum - resisting);
         const Vec3 elastic = stiffness * spring;

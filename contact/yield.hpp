@@ -9,14 +9,31 @@
 
 #include "contact/vec3.hpp"
 
+#include <cmath>
+
 namespace contact {
 
-// min(1, limit/length) for length, limit >= 0 of the same unit; 1 where both are 0.
-inline double yield_share(double length, double limit) {
-    return length > limit ? limit / length : 1.0;
-}
+// As it is: min(1, limit/length), given the square of the length, for limit >= 0 of the same unit; 1 where both are 0.
+struct Slider {
+    double share(double square, double limit) const {
+        return square > limit * limit ? limit / std::sqrt(square) : 1.0;
+    }
+};
+
+// A slider that does not slide, for contacts that stick, which spares them a root and a quotient. Where `slid` is not 0 in the
+// end one would have, and what came out is worth nothing.
+struct StuckSlider {
+    double slid = 0.0;
+    double share(double square, double limit) {
+        slid = square > limit * limit ? 1.0 : slid;
+        return 1.0;
+    }
+};
 
 // `a`, shortened to the length `limit` where it is longer.
-inline Vec3 clipped(Vec3 a, double limit) { return yield_share(norm(a), limit) * a; }
+template <class AnySlider>
+inline Vec3 clipped(Vec3 a, double limit, AnySlider&& slider) {
+    return slider.share(dot(a, a), limit) * a;
+}
 
 }  // namespace contact

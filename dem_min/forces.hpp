@@ -54,6 +54,10 @@ struct Block {  // shape of each: [block_size]
     // In between: what one stage leaves for the next.
     double elastic_force[block_size], contact_radius[block_size], cap_force[block_size];  // N, m, N
     double qx[block_size], qy[block_size], qz[block_size];  // N, friction on j
+    // Histories, as they will be.
+    double sx[block_size], sy[block_size], sz[block_size], rx[block_size], ry[block_size],
+        rz[block_size], twist[block_size];
+    double slid[block_size];  // see contact::StuckSlider
     // What comes out.
     double fx[block_size], fy[block_size], fz[block_size];     // N, on j
     double tix[block_size], tiy[block_size], tiz[block_size];  // N m

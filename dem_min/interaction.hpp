@@ -96,47 +96,61 @@ struct Turn {
     double stored;                  // J
 };
 
-template <class Interaction>
+// A law's step, with the slider that is wanted if it has one (contact/yield.hpp).
+template <class Law, class Input, class AnySlider>
+inline auto step_of(const Law& law, const Input& in, AnySlider& slider) {
+    if constexpr (requires { law.step(in, slider); })
+        return law.step(in, slider);
+    else
+        return law.step(in);
+}
+
+template <class Interaction, class AnySlider>
 inline Push push(const Interaction& law, const ContactConstants& c,
                  const contact::NormalState& elastic, const Motion& m, Vec3 spring,
-                 double previous_radius, double dt) {
+                 double previous_radius, double dt, AnySlider& slider) {
     const double a = elastic.contact_radius;
     const double dashpot = law.damping.normal(law.normal.e_star, a, c.m_star) * m.approach_speed;
     const double repulsive = contact::repulsive_force(law.normal.e_star, c.r_star, a);
     const double cap = contact::cap_force(law.friction_cap, elastic.force, dashpot,
                                           law.normal.pull_off_force(c.r_star), repulsive);
-    const contact::TangentialState slip =
-        law.tangential.step({.spring = spring,
-                             .previous_radius = previous_radius,
-                             .contact_radius = a,
-                             .n = m.n,
-                             .slip_velocity = m.slip_velocity,
-                             .cap_force = cap,
-                             .damping_factor = law.damping.tsuji.factor,
-                             .m_star = c.m_star,
-                             .dt = dt,
-                             .extra_dashpot = law.damping.viscoelastic.tangential(a, c.m_star)});
+    const contact::TangentialState slip = step_of(
+        law.tangential,
+        contact::TangentialInput{.spring = spring,
+                                 .previous_radius = previous_radius,
+                                 .contact_radius = a,
+                                 .n = m.n,
+                                 .slip_velocity = m.slip_velocity,
+                                 .cap_force = cap,
+                                 .damping_factor = law.damping.tsuji.factor,
+                                 .m_star = c.m_star,
+                                 .dt = dt,
+                                 .extra_dashpot = law.damping.viscoelastic.tangential(a, c.m_star)},
+        slider);
     return {elastic.force + dashpot, dashpot, cap, slip.force_on_j, slip.spring, slip.stored};
 }
 
-template <class Interaction>
+template <class Interaction, class AnySlider>
 inline Turn turn(const Interaction& law, const ContactConstants& c, double contact_radius,
                  double cap_force, Vec3 friction_on_j, const Motion& m, Vec3 spring, double twist,
-                 double previous_radius, double dt) {
-    const contact::RollingState roll = law.rolling.step({.spring = spring,
-                                                         .n = m.n,
-                                                         .spin_i = m.spin_i,
-                                                         .spin_j = m.spin_j,
-                                                         .r_i = c.r_i,
-                                                         .r_j = c.r_j,
-                                                         .r_star = c.r_star,
-                                                         .inverse_inertia_i = c.inverse_inertia_i,
-                                                         .inverse_inertia_j = c.inverse_inertia_j,
-                                                         .e_star = law.normal.e_star,
-                                                         .previous_radius = previous_radius,
-                                                         .contact_radius = contact_radius,
-                                                         .cap_force = cap_force,
-                                                         .dt = dt});
+                 double previous_radius, double dt, AnySlider& slider) {
+    const contact::RollingState roll =
+        step_of(law.rolling,
+                contact::RollingInput{.spring = spring,
+                                      .n = m.n,
+                                      .spin_i = m.spin_i,
+                                      .spin_j = m.spin_j,
+                                      .r_i = c.r_i,
+                                      .r_j = c.r_j,
+                                      .r_star = c.r_star,
+                                      .inverse_inertia_i = c.inverse_inertia_i,
+                                      .inverse_inertia_j = c.inverse_inertia_j,
+                                      .e_star = law.normal.e_star,
+                                      .previous_radius = previous_radius,
+                                      .contact_radius = contact_radius,
+                                      .cap_force = cap_force,
+                                      .dt = dt},
+                slider);
     const contact::TwistingState screwed = law.twisting.step(
         {.angle = twist,
          .previous_radius = previous_radius,

@@ -148,6 +148,12 @@ inline ContactConstants constants_of(const Slots& c, const Block& b, int k,
             b.inverse_inertia_j[k]};
 }
 
+template <class Interaction>
+constexpr bool twists = !std::is_same_v<decltype(Interaction::twisting), contact::NoTwisting>;
+
+inline void note(const contact::Slider&, Block&, int) {}
+inline void note(const contact::StuckSlider& slider, Block& b, int k) { b.slid[k] = slider.slid; }
+
 // The three stages of a contact's load, one loop each. Their roots and quotients wait for one another, and a processor has room
 // for many turns of a short loop at a time, but not of a long one.
 template <bool alike, class Interaction>
@@ -162,50 +168,79 @@ inline void press_one(const Interaction& law, const Slots& c, Block& b, int k,
     b.hold[k] = overlap - law.normal.tear_off_overlap(r_star, length_scale);
 }
 
-template <bool alike, class Interaction>
+template <bool alike, class AnySlider, class Interaction>
 inline Push push_one(const Interaction& law, const Slots& c, Block& b, int k,
                      const ContactConstants& common, double dt) {
     const ContactConstants constants = constants_of<alike>(c, b, k, common);
     const Motion m = motion(b, k, constants.r_i, constants.r_j);
+    AnySlider slider;
     const Push pushed = push(law, constants, {b.elastic_force[k], b.contact_radius[k]}, m,
-                             {c.sx[k], c.sy[k], c.sz[k]}, c.previous_radius[k], dt);
+                             {c.sx[k], c.sy[k], c.sz[k]}, c.previous_radius[k], dt, slider);
     const Vec3 force = pushed.normal_force * m.n + pushed.friction_on_j;
     b.fx[k] = force.x, b.fy[k] = force.y, b.fz[k] = force.z;
     b.qx[k] = pushed.friction_on_j.x, b.qy[k] = pushed.friction_on_j.y;
     b.qz[k] = pushed.friction_on_j.z;
     b.cap_force[k] = pushed.cap_force;
-    c.sx[k] = pushed.spring.x, c.sy[k] = pushed.spring.y, c.sz[k] = pushed.spring.z;
+    b.sx[k] = pushed.spring.x, b.sy[k] = pushed.spring.y, b.sz[k] = pushed.spring.z;
+    note(slider, b, k);
     return pushed;
 }
 
-template <bool alike, class Interaction>
+template <bool alike, class AnySlider, class Interaction>
 inline Turn turn_one(const Interaction& law, const Slots& c, Block& b, int k,
                      const ContactConstants& common, double dt) {
-    constexpr bool twists = !std::is_same_v<decltype(law.twisting), contact::NoTwisting>;
     const ContactConstants constants = constants_of<alike>(c, b, k, common);
     const Motion m = motion(b, k, constants.r_i, constants.r_j);
+    AnySlider slider;
     const Turn turned =
         turn(law, constants, b.contact_radius[k], b.cap_force[k], {b.qx[k], b.qy[k], b.qz[k]}, m,
-             {c.rx[k], c.ry[k], c.rz[k]}, twists ? c.twist[k] : 0.0, c.previous_radius[k], dt);
+             {c.rx[k], c.ry[k], c.rz[k]}, twists<Interaction> ? c.twist[k] : 0.0,
+             c.previous_radius[k], dt, slider);
     b.tix[k] = turned.torque_on_i.x, b.tiy[k] = turned.torque_on_i.y;
     b.tiz[k] = turned.torque_on_i.z;
     b.tjx[k] = turned.torque_on_j.x, b.tjy[k] = turned.torque_on_j.y;
     b.tjz[k] = turned.torque_on_j.z;
-    c.rx[k] = turned.spring.x, c.ry[k] = turned.spring.y, c.rz[k] = turned.spring.z;
-    if constexpr (twists) c.twist[k] = turned.twist;
-    c.previous_radius[k] = b.contact_radius[k];
+    b.rx[k] = turned.spring.x, b.ry[k] = turned.spring.y, b.rz[k] = turned.spring.z;
+    if constexpr (twists<Interaction>) b.twist[k] = turned.twist;
+    note(slider, b, k);
     return turned;
 }
 
+template <class Interaction>
+inline void keep_one(const Interaction&, const Slots& c, const Block& b, int k) {
+    c.sx[k] = b.sx[k], c.sy[k] = b.sy[k], c.sz[k] = b.sz[k];
+    c.rx[k] = b.rx[k], c.ry[k] = b.ry[k], c.rz[k] = b.rz[k];
+    if constexpr (twists<Interaction>) c.twist[k] = b.twist[k];
+    c.previous_radius[k] = b.contact_radius[k];
+}
+
+inline bool any_slid(const Block& b, int size) {
+    int slid = 0;
+    for (int k = 0; k < size; ++k) slid += b.slid[k] > 0.0;
+    return slid > 0;
+}
+
+// Few blocks have a contact that slides. All are tried as if none did, and those few once more.
 template <bool alike, class Interaction>
 SIMILITUDE_VECTOR_CLONES void load_fast(const Interaction law, const Slots c, Block& b, int size,
                                         const ContactConstants common, double dt) {
+    using contact::Slider, contact::StuckSlider;
     SIMILITUDE_NO_DEPENDENCE
     for (int k = 0; k < size; ++k) press_one<alike>(law, c, b, k, common);
     SIMILITUDE_NO_DEPENDENCE
-    for (int k = 0; k < size; ++k) push_one<alike>(law, c, b, k, common, dt);
+    for (int k = 0; k < size; ++k) push_one<alike, StuckSlider>(law, c, b, k, common, dt);
+    if (any_slid(b, size)) {
+        SIMILITUDE_NO_DEPENDENCE
+        for (int k = 0; k < size; ++k) push_one<alike, Slider>(law, c, b, k, common, dt);
+    }
     SIMILITUDE_NO_DEPENDENCE
-    for (int k = 0; k < size; ++k) turn_one<alike>(law, c, b, k, common, dt);
+    for (int k = 0; k < size; ++k) turn_one<alike, StuckSlider>(law, c, b, k, common, dt);
+    if (any_slid(b, size)) {
+        SIMILITUDE_NO_DEPENDENCE
+        for (int k = 0; k < size; ++k) turn_one<alike, Slider>(law, c, b, k, common, dt);
+    }
+    SIMILITUDE_NO_DEPENDENCE
+    for (int k = 0; k < size; ++k) keep_one(law, c, b, k);
 }
 
 // With the ledger: the same loads, and the books. Not made for speed.
@@ -215,8 +250,9 @@ void load_and_book(const Interaction law, const Slots c, const BookSlots books, 
     for (int k = 0; k < size; ++k) {
         const double overlap_before = books.overlap[k];
         press_one<false>(law, c, b, k, {});
-        const Push pushed = push_one<false>(law, c, b, k, {}, dt);
-        const Turn turned = turn_one<false>(law, c, b, k, {}, dt);
+        const Push pushed = push_one<false, contact::Slider>(law, c, b, k, {}, dt);
+        const Turn turned = turn_one<false, contact::Slider>(law, c, b, k, {}, dt);
+        keep_one(law, c, b, k);
         const Motion m = motion(b, k, b.r_i[k], b.r_j[k]);
         books.overlap[k] = m.overlap;
         add_heat(books, b, k, overlap_before, m, pushed, turned, dt);

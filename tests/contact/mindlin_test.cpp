@@ -56,6 +56,29 @@ TEST_CASE("mindlin: a stuck contact answers a displacement with 8 G* a",
     REQUIRE(state.stored == Approx(0.5 * 80e-6 * 5e-9).epsilon(1e-13));
 }
 
+// contact/yield.hpp: what is true of a contact that sticks does not take the slider's root; one that slides is told.
+TEST_CASE(
+    "mindlin: a stuck slider changes nothing while the contact sticks, and tells where it does not",
+    "[contact][mindlin]") {
+    const Mindlin law = Mindlin::from(1e9 * si::pascals, 0.5);
+    TangentialInput in = at_rest();
+    in.damping_factor = 0.3;
+    in.slip_velocity = {3e-3, 4e-3, 0.0};
+    in.cap_force = 17e-6;  // N; the limit is half of it, the first step's spring pulls with 8 uN
+    contact::StuckSlider stuck;
+    TangentialState state = law.step(in, stuck);
+    const double whole = contact::norm(state.force_on_j);  // N, with the dashpot
+    REQUIRE(stuck.slid == 1.0);
+    REQUIRE(whole > 0.5 * in.cap_force);
+    REQUIRE(contact::norm(law.step(in).force_on_j) == Approx(0.5 * in.cap_force).epsilon(1e-14));
+    in.cap_force = 2.0001 * whole;
+    contact::StuckSlider still_stuck;
+    state = law.step(in, still_stuck);
+    REQUIRE(still_stuck.slid == 0.0);
+    REQUIRE(state.force_on_j == law.step(in).force_on_j);
+    REQUIRE(state.spring == law.step(in).spring);
+}
+
 // Mindlin (1949): tangential over normal stiffness is 2 (1 - nu)/(2 - nu) for like spheres.
 TEST_CASE("mindlin: k_t/k_n is 2 (1 - nu)/(2 - nu)", "[contact][mindlin][exact]") {
     const double nu = GENERATE(0.0, 0.3, 0.5);
