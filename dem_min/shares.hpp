@@ -4,6 +4,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -16,7 +17,7 @@ class Shares {
     explicit Shares(const std::vector<int>& begins)
         : team_(static_cast<int>(begins.size()) - 1), runs_(new Run[begins.size()]) {
         for (int k = 0; k < team_; ++k)
-            runs_[k].left =
+            left_of(k) =
                 pack(begins[static_cast<std::size_t>(k)], begins[static_cast<std::size_t>(k) + 1]);
     }
 
@@ -24,11 +25,11 @@ class Shares {
     int take(int who) {
         for (int run = who; run >= 0; run = fullest()) {
             const bool front = (run % 2 == 0) == (run == who);
-            std::uint64_t left = runs_[run].left.load(std::memory_order_relaxed);
+            std::uint64_t left = left_of(run).load(std::memory_order_relaxed);
             while (first(left) < last(left)) {
                 const std::uint64_t rest =
                     front ? pack(first(left) + 1, last(left)) : pack(first(left), last(left) - 1);
-                if (runs_[run].left.compare_exchange_weak(left, rest, std::memory_order_relaxed))
+                if (left_of(run).compare_exchange_weak(left, rest, std::memory_order_relaxed))
                     return front ? first(left) : last(left) - 1;
             }
         }
@@ -39,6 +40,9 @@ class Shares {
     struct alignas(64) Run {
         std::atomic<std::uint64_t> left{0};  // first tile and the one after the last
     };
+    std::atomic<std::uint64_t>& left_of(int run) const {
+        return runs_[static_cast<std::size_t>(run)].left;
+    }
     static std::uint64_t pack(int first, int last) {
         return static_cast<std::uint64_t>(first) << 32 | static_cast<std::uint64_t>(last);
     }
@@ -48,7 +52,7 @@ class Shares {
     int fullest() const {  // the run with most tiles left; -1: all are empty
         int best = -1, most = 0;
         for (int k = 0; k < team_; ++k) {
-            const std::uint64_t run = runs_[k].left.load(std::memory_order_relaxed);
+            const std::uint64_t run = left_of(k).load(std::memory_order_relaxed);
             if (last(run) - first(run) > most) best = k, most = last(run) - first(run);
         }
         return best;
