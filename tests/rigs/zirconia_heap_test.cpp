@@ -15,7 +15,8 @@
 namespace {
 
 const std::string at_1000 = "data/zirconia/heap-50mm.json",
-                  at_200 = "data/zirconia/heap-50mm-h200.json";
+                  at_200 = "data/zirconia/heap-50mm-h200.json",
+                  kept_adhesion = "data/zirconia/heap-50mm-kept-adhesion.json";
 
 const cases::Experiment& experiment(const cases::Case& c, const std::string& id) {
     const auto found = std::find_if(c.experiments.begin(), c.experiments.end(),
@@ -74,6 +75,26 @@ TEST_CASE("the experiments of the heap at h = 1000 can be set up", "[rigs][pile]
         CHECK(s.time_step <= rayleigh * (1.0 + 1e-6));
         CHECK(s.time_step > 0.5 * rayleigh);
     }
+}
+
+TEST_CASE("the heap with its adhesion kept is the same but for w", "[rigs][pile][zirconia]") {
+    const cases::Case scaled = cases::read_case(at_1000), kept = cases::read_case(kept_adhesion);
+    CHECK(kept.model.value_or("work_of_adhesion", 0.0) == Approx(0.38).epsilon(1e-12));
+    for (const char* id : {"spill", "paper_mass"}) {
+        INFO(id);
+        const rigs::PileSetup a = rigs::pile_setup(scaled, experiment(scaled, id), 1);
+        const rigs::PileSetup b = rigs::pile_setup(kept, experiment(kept, id), 1);
+        CHECK(b.radius == a.radius);
+        CHECK(b.density == a.density);
+        CHECK(b.time_step == a.time_step);
+        CHECK(b.conditions.base_diameter == a.conditions.base_diameter);
+        CHECK(b.conditions.drop_height == a.conditions.drop_height);
+        CHECK(b.conditions.feed_diameter == a.conditions.feed_diameter);
+        CHECK(b.conditions.feed_rate == a.conditions.feed_rate);
+    }
+    for (const char* name : {"restitution", "sliding_friction", "rolling_friction",
+                             "wall_restitution", "wall_sliding_friction", "wall_rolling_friction"})
+        CHECK(kept.model.value_or(name, -1.0) == scaled.model.value_or(name, -2.0));
 }
 
 TEST_CASE("the heap at h = 1000 is fed as a dilute rain from the width of the paper's outlet",
