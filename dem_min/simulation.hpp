@@ -35,9 +35,10 @@ struct Settings {
 // Sums over everything that no longer exists: ended contacts and grains that have left.
 struct Past {
     Dissipation heat;  // J, of contacts that have ended, springs that were still loaded included
-    double kinetic_in = 0.0;     // J, of grains at their birth
-    double potential_in = 0.0;   // J, likewise, in gravity, zero at the origin
-    double carried_away = 0.0;   // J, kinetic and elastic, by grains that have left
+    double kinetic_in = 0.0;    // J, of grains at their birth
+    double potential_in = 0.0;  // J, likewise, in gravity, zero at the origin
+    double carried_away =
+        0.0;  // J, kinetic and elastic, by grains that have left; kinetic, of those put to sleep
     double potential_out = 0.0;  // J, in gravity, of grains when they left
     std::int64_t grains_lost = 0;
     std::int64_t grain_steps = 0,

@@ -177,6 +177,17 @@ void note(const Simulation& s, Tile& tile, const Drift& drift) {
     tile.sum_of_velocities = drift.sum_of_velocities;
 }
 
+// Who falls asleep stops: a velocity without a way would stretch the springs of those that touch it, and rest would never be seen.
+void stop(Simulation& s, std::size_t t) {
+    Particles& p = s.grains;
+    const std::size_t first = first_of(t), last = first + static_cast<std::size_t>(grains_of(s, t));
+    for (std::size_t k = first; k < last; ++k) s.past.carried_away += kinetic_energy(p, k);
+    for (Array* array : {&p.vx, &p.vy, &p.vz, &p.wx, &p.wy, &p.wz})
+        std::fill(array->begin() + static_cast<std::ptrdiff_t>(first),
+                  array->begin() + static_cast<std::ptrdiff_t>(last), 0.0);
+    s.tiles[t].sum_of_velocities = {};
+}
+
 // Who sleeps in this step: tiles that have been quiet for long and have only quiet partners. The loads that they hold for others,
 // and others for them, stay as they were.
 void put_to_sleep(Simulation& s) {
@@ -190,11 +201,14 @@ void put_to_sleep(Simulation& s) {
     }
     for (std::size_t t = 0; t < s.tiles.size(); ++t) {
         Tile& tile = s.tiles[t];
+        const bool slept = tile.asleep;
         tile.asleep = tile.quiet_steps >= steps_to_sleep &&
                       std::all_of(tile.partners.begin(), tile.partners.end(), [&](int partner) {
                           return s.tiles[static_cast<std::size_t>(partner)].quiet_steps > 0;
                       });
-        if (tile.asleep) s.past.grain_steps_slept += grains_of(s, t);
+        if (!tile.asleep) continue;
+        if (!slept) stop(s, t);
+        s.past.grain_steps_slept += grains_of(s, t);
     }
 }
 

@@ -15,7 +15,7 @@ namespace verify {
 namespace {
 
 constexpr int version_of_physics =
-    3;  // raise when a change of laws, core or estimators makes remembered piles stale
+    4;  // raise when a change of laws, core or estimators makes remembered piles stale
 constexpr std::int64_t steps_at_a_time = 2000;
 
 // A setup as text, every double to the last bit: what the fingerprint is taken of.

@@ -121,3 +121,21 @@ TEST_CASE("who sleeps keeps every bit, springs included, and wakes with them", "
     for (std::size_t k = 0; k < then.count(); ++k)
         CHECK(contact::norm(s.grains.position(k) - then.position(k)) < 1e-6 * p.diameter);
 }
+
+// A sleeping grain that kept its velocity would stretch the springs of those that touch it, though it comes nowhere.
+TEST_CASE("who falls asleep stops, and what it had of kinetic energy is told", "[dem_min][sleep]") {
+    const samples::Powder p = samples::sticky();
+    Simulation s = samples::simulation(tripod(p));
+    dem_min::advance(s, 200000);
+    s.settings.sleep_speed = 0.02 * std::sqrt(p.gravity * p.diameter);
+    s.settings.sleep_spin = s.settings.sleep_speed / (0.5 * p.diameter);
+    for (double& vx : s.grains.vx) vx += 0.5 * s.settings.sleep_speed;
+    dem_min::advance(s, dem_min::steps_to_sleep - 1);
+    REQUIRE(s.past.grain_steps_slept == 0);
+    REQUIRE(dem_min::kinetic_energy(s) > 0.0);
+    REQUIRE(s.past.carried_away == 0.0);
+    dem_min::advance(s, 1);
+    REQUIRE(s.past.grain_steps_slept == 4);
+    CHECK(dem_min::kinetic_energy(s) == 0.0);
+    CHECK(s.past.carried_away > 0.0);
+}
