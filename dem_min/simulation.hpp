@@ -28,7 +28,7 @@ struct Settings {
     // m, the box repeats itself with these periods in x and y; 0: open. Positions are not folded back.
     double period_x = 0.0, period_y = 0.0;
     // Tiles whose grains have been slower than both for `steps_to_sleep`, and that meet none which is faster, are left out until
-    // one is; 0: never. It changes the result a little, and what goes on from a checkpoint may then differ in its last digits.
+    // one is (core.md, Sleep); 0: never. It changes the result a little, and what goes on from a checkpoint may then differ in its last digits.
     double sleep_speed = 0.0, sleep_spin = 0.0;  // m/s, rad/s
 };
 

@@ -188,8 +188,8 @@ void stop(Simulation& s, std::size_t t) {
     s.tiles[t].sum_of_velocities = {};
 }
 
-// Who sleeps in this step: tiles that have been quiet for long and have only quiet partners. The loads that they hold for others,
-// and others for them, stay as they were.
+// Who sleeps in this step: tiles that have been quiet for long and have only quiet partners. Their grains are held; what pushes
+// awake ones is evaluated as ever, and only a tile all of whose partners sleep is left out.
 void put_to_sleep(Simulation& s) {
     const Settings& settings = s.settings;
     if (settings.sleep_speed <= 0.0) return;
@@ -206,9 +206,17 @@ void put_to_sleep(Simulation& s) {
                       std::all_of(tile.partners.begin(), tile.partners.end(), [&](int partner) {
                           return s.tiles[static_cast<std::size_t>(partner)].quiet_steps > 0;
                       });
-        if (!tile.asleep) continue;
-        if (!slept) stop(s, t);
-        s.past.grain_steps_slept += grains_of(s, t);
+        if (tile.asleep && !slept) stop(s, t);
+        if (!tile.asleep && slept)
+            tile.quiet_steps = 1;  // it has to be quiet for long again, and wakes nobody by that
+    }
+    for (std::size_t t = 0; t < s.tiles.size(); ++t) {
+        Tile& tile = s.tiles[t];
+        tile.left_out = tile.asleep &&
+                        std::all_of(tile.partners.begin(), tile.partners.end(), [&](int partner) {
+                            return s.tiles[static_cast<std::size_t>(partner)].asleep;
+                        });
+        if (tile.left_out) s.past.grain_steps_slept += grains_of(s, t);
     }
 }
 
@@ -231,7 +239,7 @@ void look_after(Simulation& s) {
 // The second half of a step for tile t, and the first of the next one if there is one.
 void finish_tile(Simulation& s, std::size_t t, bool goes_on, Spare& spare) {
     s.tiles[t].finished = true;
-    if (s.tiles[t].asleep) return;
+    if (s.tiles[t].asleep) return give_back(spare.loads, s.tiles[t].loads);
     renew_inbox(s, t);
     if (goes_on)
         note(s, s.tiles[t], end_and_begin_step(s, t));
@@ -270,7 +278,7 @@ void load_tiles(Simulation& s, Spare& spare, Take&& take_tile, bool goes_on) {
     const auto tile = [&](int t) -> Tile& { return s.tiles[static_cast<std::size_t>(t)]; };
     Loaded loaded;
     for (int t = take_tile(); t >= 0; t = take_tile()) {
-        if (!tile(t).asleep) load_tile(s, static_cast<std::size_t>(t), spare);
+        if (!tile(t).left_out) load_tile(s, static_cast<std::size_t>(t), spare);
         loaded.add(t);
         std::erase_if(loaded.open, [&](int k) {
             if (!loaded.has_partners(tile(k))) return false;

@@ -83,7 +83,8 @@ struct Tile {
     Vec3 sum_of_velocities;                    // m/s, likewise
     double fastest = 0.0, fastest_spin = 0.0;  // m/s, rad/s, likewise
     int quiet_steps = 0;                       // in a row, see Settings::sleep_speed
-    bool asleep = false;
+    bool asleep = false;                       // its grains are held
+    bool left_out = false;  // and so are those of all its partners: nothing is done for it
 
     std::vector<Load>
         loads;  // of each grain, from load_tile to the second half of the step; else none

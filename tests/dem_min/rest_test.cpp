@@ -139,3 +139,37 @@ TEST_CASE("who falls asleep stops, and what it had of kinetic energy is told", "
     CHECK(dem_min::kinetic_energy(s) == 0.0);
     CHECK(s.past.carried_away > 0.0);
 }
+
+// 1024 glued grains fill a tile and sleep; a grain that comes slowly enough to wake nobody must still find them.
+TEST_CASE("a sleeping tile pushes an awake grain that touches it", "[dem_min][sleep]") {
+    const samples::Powder p = samples::dry();
+    const double d = p.diameter, slow = 1e-2 * std::sqrt(p.gravity * d);
+    samples::System system = samples::rain(p, 1, true, false);
+    system.walls.clear(), system.grains.clear();
+    system.gravity = 0.0;
+    const double way_of_30_steps = 30 * system.time_step * 0.9 * slow;
+    for (int k = 0; k < dem_min::tile_size; ++k)
+        system.grains.push_back({{3.0 * d * k, 0.0, 0.0}, {}, {}, 0.5 * d, p.density, true});
+    system.grains.push_back({{0.0, 0.0, d + way_of_30_steps},
+                             {},
+                             {0.0, 0.0, 3.0 * slow / d},
+                             0.5 * d,
+                             p.density,
+                             false});
+    Simulation s = samples::simulation(system);
+    s.settings.sleep_speed = slow;
+    s.settings.sleep_spin = slow / (0.5 * d);
+    dem_min::advance(s, dem_min::steps_to_sleep + 10);  // it spins too fast to be quiet
+    REQUIRE(s.tiles.size() == 2);
+    REQUIRE(!s.tiles[0].asleep);
+    s.grains.wz.back() = 0.0;
+    s.grains.vz.back() = -0.9 * slow;
+    dem_min::advance(s, 10);
+    REQUIRE(s.tiles[0].asleep);
+    REQUIRE(!s.tiles[1].asleep);
+    dem_min::advance(s, 40);
+    REQUIRE(s.tiles[0].asleep);
+    REQUIRE(!s.tiles[1].asleep);
+    CHECK(dem_min::pair_count(s) == 1);
+    CHECK(s.grains.vz.back() > -0.9 * slow);  // pushed back
+}
