@@ -1,22 +1,38 @@
 // SPDX-License-Identifier: MIT
 #include "dem_min/contacts.hpp"
 
+#include <algorithm>
+#include <tuple>
+
 namespace dem_min {
 namespace {
 
-template <class Visit>
-void visit_state(auto& c, Visit&& each) {
-    for (auto* array : {&c.r_star, &c.m_star, &c.length_scale, &c.sx, &c.sy, &c.sz, &c.rx, &c.ry,
-                        &c.rz, &c.twist, &c.previous_radius})
-        each(*array);
+auto state_of(auto& c) {
+    return std::array{&c.r_star, &c.m_star, &c.length_scale,   &c.sx, &c.sy, &c.sz, &c.rx, &c.ry,
+                      &c.rz,     &c.twist,  &c.previous_radius};
 }
 
-template <class Visit>
-void visit_books(auto& b, Visit&& each) {
-    for (auto* array : {&b.overlap, &b.nx, &b.ny, &b.nz, &b.dashpot, &b.fx, &b.fy, &b.fz, &b.tix,
-                        &b.tiy, &b.tiz, &b.tjx, &b.tjy, &b.tjz, &b.heat_normal, &b.heat_tangential,
-                        &b.heat_rolling, &b.stored_tangential, &b.stored_rolling})
-        each(*array);
+auto books_of(auto& c) {
+    auto& b = c.books;
+    return std::array{&b.overlap,
+                      &b.nx,
+                      &b.ny,
+                      &b.nz,
+                      &b.dashpot,
+                      &b.fx,
+                      &b.fy,
+                      &b.fz,
+                      &b.tix,
+                      &b.tiy,
+                      &b.tiz,
+                      &b.tjx,
+                      &b.tjy,
+                      &b.tjz,
+                      &b.heat_normal,
+                      &b.heat_tangential,
+                      &b.heat_rolling,
+                      &b.stored_tangential,
+                      &b.stored_rolling};
 }
 
 bool has_books(const Contacts& c) { return c.books.nx.size() == c.count() && c.count() > 0; }
@@ -33,28 +49,30 @@ Dissipation& Dissipation::operator+=(const Dissipation& other) {
 
 namespace {
 
-template <class Pointer>
-std::array<Pointer, 30> all_arrays(auto& contacts) {
-    std::array<Pointer, 30> all;
-    auto next = all.begin();
-    const auto note = [&](auto& array) { *next++ = &array; };
-    visit_state(contacts, note);
-    visit_books(contacts.books, note);
+template <class All>
+All all_arrays(auto& contacts) {
+    const auto state = state_of(contacts);
+    const auto books = books_of(contacts);
+    static_assert(state.size() + books.size() == std::tuple_size_v<All>);
+    All all;
+    std::copy(books.begin(), books.end(), std::copy(state.begin(), state.end(), all.begin()));
     return all;
 }
 
 }  // namespace
 
-std::array<Array*, 30> Contacts::arrays() { return all_arrays<Array*>(*this); }
+std::array<Array*, 30> Contacts::arrays() { return all_arrays<std::array<Array*, 30>>(*this); }
 
-std::array<const Array*, 30> Contacts::arrays() const { return all_arrays<const Array*>(*this); }
+std::array<const Array*, 30> Contacts::arrays() const {
+    return all_arrays<std::array<const Array*, 30>>(*this);
+}
 
 void Contacts::add(int grain_i, int partner_j, const ContactConstants& constants, bool with_books) {
     if (count() == 0) alike = true, common = constants;
     alike = alike && constants == common;
-    const auto push_zero = [](Array& array) { array.push_back(0.0); };
-    visit_state(*this, push_zero);
-    if (with_books) visit_books(books, push_zero);
+    for (Array* array : state_of(*this)) array->push_back(0.0);
+    if (with_books)
+        for (Array* array : books_of(*this)) array->push_back(0.0);
     i.push_back(grain_i);
     j.push_back(partner_j);
     r_star.back() = constants.r_star;
@@ -80,12 +98,12 @@ void Contacts::append(const std::vector<Copy>& copies) {
 }
 
 void Contacts::remove(std::size_t slot) {
-    const auto take_last = [slot](Array& array) {
-        array[slot] = array.back();
-        array.pop_back();
+    const auto take_last = [slot](Array* array) {
+        (*array)[slot] = array->back();
+        array->pop_back();
     };
-    if (has_books(*this)) visit_books(books, take_last);
-    visit_state(*this, take_last);
+    if (has_books(*this)) std::ranges::for_each(books_of(*this), take_last);
+    std::ranges::for_each(state_of(*this), take_last);
     i[slot] = i.back(), i.pop_back();
     j[slot] = j.back(), j.pop_back();
 }

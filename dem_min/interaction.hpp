@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One contact, from its motion to its load: the normal, tangential and rolling law put together. Every path of the core
-// (blocks of contacts, the all-pairs reference, walls) calls `evaluate`, so that they give the same bits.
+// (blocks of contacts, the all-pairs reference, walls) calls `push` and `turn`, so that they give the same bits.
 #pragma once
 
 #include "contact/concepts.hpp"

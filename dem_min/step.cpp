@@ -11,17 +11,21 @@
 namespace dem_min {
 namespace {
 
-// Calls each(thread, take) in every thread; take() gives one tile after another to it, and -1 at the end.
+// Calls each(spare, take) in every thread; take() gives one tile after another to it, and -1 at the end.
 template <class Each>
 void share(Simulation& s, Each&& each) {
     const int team = s.team(), tiles = static_cast<int>(s.tiles.size());
+    if (team == 1) {  // a few grains take less time than the words with other threads
+        each(s.spare.front(), [next = 0, tiles]() mutable { return next < tiles ? next++ : -1; });
+        return;
+    }
     if (static_cast<int>(s.shares.size()) != team + 1 || s.shares.back() != tiles) {
         s.shares.assign(static_cast<std::size_t>(team) + 1,
                         tiles);  // all to the first, until the list is renewed
         s.shares.front() = 0;
     }
     Shares shares(s.shares);
-#pragma omp parallel for schedule(static, 1) num_threads(team) if (team > 1)
+#pragma omp parallel for schedule(static, 1) num_threads(team)
     for (int thread = 0; thread < team; ++thread)
         each(s.spare[static_cast<std::size_t>(thread)],
              [&shares, thread] { return shares.take(thread); });
@@ -177,6 +181,12 @@ void note(const Simulation& s, Tile& tile, const Drift& drift) {
     tile.sum_of_velocities = drift.sum_of_velocities;
 }
 
+template <class Is>
+bool all_partners(const Simulation& s, const Tile& tile, Is&& is) {
+    return std::all_of(tile.partners.begin(), tile.partners.end(),
+                       [&](int partner) { return is(s.tiles[static_cast<std::size_t>(partner)]); });
+}
+
 // Who falls asleep stops: a velocity without a way would stretch the springs of those that touch it, and rest would never be seen.
 void stop(Simulation& s, std::size_t t) {
     Particles& p = s.grains;
@@ -202,20 +212,17 @@ void put_to_sleep(Simulation& s) {
     for (std::size_t t = 0; t < s.tiles.size(); ++t) {
         Tile& tile = s.tiles[t];
         const bool slept = tile.asleep;
-        tile.asleep = tile.quiet_steps >= steps_to_sleep &&
-                      std::all_of(tile.partners.begin(), tile.partners.end(), [&](int partner) {
-                          return s.tiles[static_cast<std::size_t>(partner)].quiet_steps > 0;
-                      });
+        tile.asleep =
+            tile.quiet_steps >= steps_to_sleep &&
+            all_partners(s, tile, [](const Tile& other) { return other.quiet_steps > 0; });
         if (tile.asleep && !slept) stop(s, t);
         if (!tile.asleep && slept)
             tile.quiet_steps = 1;  // it has to be quiet for long again, and wakes nobody by that
     }
     for (std::size_t t = 0; t < s.tiles.size(); ++t) {
         Tile& tile = s.tiles[t];
-        tile.left_out = tile.asleep &&
-                        std::all_of(tile.partners.begin(), tile.partners.end(), [&](int partner) {
-                            return s.tiles[static_cast<std::size_t>(partner)].asleep;
-                        });
+        tile.left_out =
+            tile.asleep && all_partners(s, tile, [](const Tile& other) { return other.asleep; });
         if (tile.left_out) s.past.grain_steps_slept += grains_of(s, t);
     }
 }
@@ -288,9 +295,7 @@ void load_tiles(Simulation& s, Spare& spare, Take&& take_tile, bool goes_on) {
         });
         if (tiles_may_sleep) continue;
         std::erase_if(loaded.in_use, [&](int k) {
-            const std::vector<int>& partners = tile(k).partners;
-            if (!std::all_of(partners.begin(), partners.end(),
-                             [&](int partner) { return tile(partner).finished; }))
+            if (!all_partners(s, tile(k), [](const Tile& other) { return other.finished; }))
                 return false;
             give_back(spare.outboxes, tile(k).outbox.loads);
             return true;
