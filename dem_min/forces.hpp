@@ -39,6 +39,11 @@ Dissipation heat_of_end(const Laws&, const Contacts&,
 // without branches that the compiler turns into vectors. 64 contacts fit the first-level cache with all that they need.
 constexpr int block_size = 64;
 
+// What a block needs of the memory is asked for while the block before it is worked on: partners j while that one is gathered (their
+// grains i have been partners before), histories while it is added up, a line of each array for this many contacts at a time. All
+// asked for at once would fill the processor's list of misses, and the loop behind would wait for it.
+constexpr int asked_at_a_time = 8;
+
 // The overlap of a contact that a mesh has handed from one patch to another (mesh.hpp): it ends, but nothing tears.
 constexpr double handed_over = -std::numeric_limits<double>::infinity();
 

@@ -268,6 +268,10 @@ void gather_pairs(const Simulation& s, const Contacts& c, std::size_t first, int
     const double *wx = p.wx.data(), *wy = p.wy.data(), *wz = p.wz.data();
     const int *from = c.i.data() + first, *to = c.j.data() + first;
     for (int k = 0; k < size; ++k) {
+        if (const std::size_t ahead = first + static_cast<std::size_t>(k) + block_size;
+            k % asked_at_a_time == 0 && ahead < c.count())
+            for (const double* array : {x, y, z, vx, vy, vz, wx, wy, wz})
+                __builtin_prefetch(array + c.j[ahead]);
         const int i = from[k], j = to[k];
         b.nx[k] = x[j] - x[i], b.ny[k] = y[j] - y[i], b.nz[k] = z[j] - z[i];
         b.ux[k] = vx[j] - vx[i], b.uy[k] = vy[j] - vy[i], b.uz[k] = vz[j] - vz[i];

@@ -31,6 +31,17 @@ void share(Simulation& s, Each&& each) {
              [&shares, thread] { return shares.take(thread); });
 }
 
+// A step walks through the histories of the contacts once, along nine arrays: too many for the processor to follow by itself from
+// one page to the next. Pairs are asked for a block earlier, since their grains are asked for through them.
+inline void ask_for_histories(const Contacts& c, std::size_t slot) {
+    if (slot >= c.count()) return;
+    for (const Array* array : {&c.sx, &c.sy, &c.sz, &c.rx, &c.ry, &c.rz, &c.previous_radius})
+        __builtin_prefetch(array->data() + slot, 1);
+    if (slot + block_size >= c.count()) return;
+    for (const std::vector<int>* pair : {&c.i, &c.j})
+        __builtin_prefetch(pair->data() + slot + block_size);
+}
+
 // Adds the loads of a block to its grains. A contact that has torn loads nobody; its slot goes to `torn`.
 SIMILITUDE_VECTOR_CLONES void scatter(Tile& tile, int begin, int grains, const Contacts& c,
                                       bool at_wall, std::size_t first, int size, const Block& b,
@@ -38,6 +49,8 @@ SIMILITUDE_VECTOR_CLONES void scatter(Tile& tile, int begin, int grains, const C
     Load* const sum = tile.loads.data();
     const int *from = c.i.data() + first, *to = c.j.data() + first;
     for (int k = 0; k < size; ++k) {
+        if (k % asked_at_a_time == 0)
+            ask_for_histories(c, first + static_cast<std::size_t>(k) + block_size);
         if (b.hold[k] < 0.0) {
             torn.push_back(first + static_cast<std::size_t>(k));
             continue;
@@ -90,32 +103,6 @@ void give_back(std::vector<std::vector<T>>& spare, std::vector<T>& piece) {
     if (piece.capacity() > 0) spare.push_back(std::move(piece));
 }
 
-// A step walks through the histories of the contacts once, along nine arrays, and through their grains along nine more: too
-// many for the processor to follow by itself from one page to the next. Asked for a block ahead, they are there in time.
-void ask_for(const Contacts& c, std::size_t first) {
-    constexpr std::size_t line = 64;  // bytes
-    constexpr std::size_t doubles = line / sizeof(double), ints = line / sizeof(int);
-    if (first >= c.count()) return;
-    for (const Array* array : {&c.sx, &c.sy, &c.sz, &c.rx, &c.ry, &c.rz, &c.previous_radius})
-        for (std::size_t k = 0; k < block_size; k += doubles)
-            __builtin_prefetch(array->data() + first + k, 1);
-    for (const std::vector<int>* array : {&c.i, &c.j})
-        for (std::size_t k = 0; k < block_size; k += ints)
-            __builtin_prefetch(array->data() + first + block_size + k);
-}
-
-// Grains of every eighth contact: grains follow one another in the contacts as in memory, mostly, eight to a line.
-void ask_for_grains(const Particles& p, const Contacts& c, std::size_t first) {
-    const std::size_t last = std::min(first + block_size, c.count());
-    for (std::size_t k = first; k < last; k += 8) {
-        const auto i = static_cast<std::size_t>(c.i[k]), j = static_cast<std::size_t>(c.j[k]);
-        for (const Array* array : {&p.x, &p.y, &p.z, &p.vx, &p.vy, &p.vz, &p.wx, &p.wy, &p.wz}) {
-            __builtin_prefetch(array->data() + i);
-            __builtin_prefetch(array->data() + j);
-        }
-    }
-}
-
 void load_tile(Simulation& s, std::size_t t, Spare& spare) {
     begin_contacts(s, t);
     Tile& tile = s.tiles[t];
@@ -134,8 +121,6 @@ void load_tile(Simulation& s, std::size_t t, Spare& spare) {
         const bool at_wall = s.at_wall(group);
         for (std::size_t first = 0; first < c.count(); first += block_size) {
             const int size = static_cast<int>(std::min<std::size_t>(block_size, c.count() - first));
-            ask_for(c, first + block_size);
-            if (!at_wall) ask_for_grains(s.grains, c, first + block_size);
             at_wall ? gather_walls(s, c, first, size, block)
                     : gather_pairs(s, c, first, size, block);
             load_block(s.laws(group), c, first, size, block, s.settings);
