@@ -3,6 +3,7 @@
 
 #include "diagnose/catalogue.hpp"
 #include "diagnose/locate.hpp"
+#include "diagnose/minima.hpp"
 #include "diagnose/starts.hpp"
 
 #include <Eigen/Cholesky>
@@ -32,6 +33,9 @@ void weigh(Candidate& c, const Candidate* start) {
         c.log_evidence = log_sum(c.log_evidence, start->log_evidence + std::log(c.unseen));
 }
 
+constexpr double nearly_as_deep =
+    12.0;  // in chi squared: a minimum worth keeping beside the deepest
+
 // From how many places a fit is begun: a term of one unknown has few minima, others many.
 std::size_t places_of(const Term& term, std::size_t at_least) {
     return term.effect == "vibration" ? 18 : term.unknowns.size() > 1 ? 3 * at_least : at_least + 1;
@@ -40,7 +44,6 @@ std::size_t places_of(const Term& term, std::size_t at_least) {
 // The best of fits from all places, and the other minima: where there are many places, short fits first.
 void fit_from(const Footing& on, const std::vector<VectorXd>& places, int iterations,
               Candidate& c) {
-    constexpr double nearly = 12.0;  // in chi squared, before the last fit
     constexpr std::size_t few = 4;
     const bool many = places.size() > 2;
     std::vector<std::pair<double, VectorXd>> ends;
@@ -55,7 +58,8 @@ void fit_from(const Footing& on, const std::vector<VectorXd>& places, int iterat
     std::vector<VectorXd> tried;  // u
     std::vector<Fit> fits;
     for (const auto& [objective, theta] : ends) {
-        if (fits.size() >= few || (fits.size() > 1 && objective > ends[0].first + nearly)) break;
+        if (fits.size() >= few || (fits.size() > 1 && objective > ends[0].first + nearly_as_deep))
+            break;
         const VectorXd u = to_u(c.h.unknowns, theta);
         const bool fresh = std::all_of(tried.begin(), tried.end(), [&](const VectorXd& other) {
             return (u - other).cwiseAbs().maxCoeff() > 0.02;
@@ -67,8 +71,23 @@ void fit_from(const Footing& on, const std::vector<VectorXd>& places, int iterat
     std::stable_sort(fits.begin(), fits.end(),
                      [](const Fit& a, const Fit& b) { return a.objective() < b.objective(); });
     for (std::size_t k = 1; k < fits.size(); ++k)
-        if (fits[k].objective() < fits[0].objective() + nearly) c.modes.push_back(fits[k].theta);
+        if (fits[k].objective() < fits[0].objective() + nearly_as_deep)
+            c.modes.push_back(fits[k].theta);
     c.fit = std::move(fits.front());
+}
+
+// A vibration has as many minima as bounces allow: it is followed in time from many places.
+void fit_vibration(const Footing& on, const std::vector<VectorXd>& places, Candidate& c) {
+    constexpr std::size_t fitted_out = 4;
+    std::vector<VectorXd> from;
+    for (const VectorXd& own : places) from.push_back(to_u(c.h.unknowns, carried(on, c.h, own)));
+    const std::vector<Place> ends = followed_in_time(on.problem, on.whiten, c.h, from);
+    for (std::size_t k = 0; k < std::min(fitted_out, ends.size()); ++k) {
+        Fit f = fit(on.problem, on.whiten, c.h, ends[k].theta, false, 25);
+        if (f.log_evidence <= c.fit.log_evidence) continue;
+        if (c.fit.objective() < f.objective() + nearly_as_deep) c.modes.push_back(c.fit.theta);
+        c.fit = std::move(f);
+    }
 }
 
 }  // namespace
@@ -111,6 +130,7 @@ Candidate extended(const Problem& p, const Whitener& w, const Candidate& start, 
     const Starts starts = starts_of(on, term);
     c.unseen = starts.unseen;
     fit_from(on, distinct(term, starts, places_of(term, 2)), 25, c);
+    if (term.effect == "vibration") fit_vibration(on, distinct(term, starts, 48), c);
     weigh(c, &start);
     return c;
 }
@@ -178,6 +198,14 @@ std::vector<Candidate> pairs_of(const Problem& p, const Whitener& w,
         });
     });
     return pairs;
+}
+
+void deepen(const Problem& p, const Whitener& w, Candidate& c, const Candidate* start) {
+    Deeper found = deeper_minimum(p, w, c.h, c.fit);
+    c.fit = std::move(found.fit);
+    for (const Place& other : found.left)
+        if (other.objective < c.fit.objective() + nearly_as_deep) c.modes.push_back(other.theta);
+    weigh(c, start);
 }
 
 void refit(const Problem& p, const Whitener& w, Candidate& c, const Candidate* start) {

@@ -25,6 +25,9 @@ struct Candidate {
 // refitted at first order; the best go on to a fit of their own.
 Candidate extended(const Problem&, const Whitener&, const Candidate& start, const Term&);
 
+// The same in a deeper minimum, where there is one (minima.hpp); `start` as for refit.
+void deepen(const Problem&, const Whitener&, Candidate&, const Candidate* start);
+
 // Pairs of `singles` whose effects differ: the `beam` singles of most evidence with every other. All are tried at first order
 // from the fits of the singles, the `most` best ones fitted.
 std::vector<Candidate> pairs_of(const Problem&, const Whitener&,

@@ -31,6 +31,12 @@ Unknown range(const std::string& name, const std::string& unit, double low, doub
             .high = high,
             .start = start};
 }
+// An angle of which nothing is known.
+Unknown turn(const std::string& name) {
+    Unknown x = range(name, "rad", 0.0, 2.0 * pi, 1.0);
+    x.turns = true;
+    return x;
+}
 
 // What sets the size of things in a case: its first experiment.
 struct Sizes {
@@ -132,16 +138,15 @@ const std::vector<Entry>& entries() {
              // A fall shows the part along x alone, a plane leans one way or the other; both together show the azimuth.
              U list{range("tilt_angle", "rad", -0.26, 0.26, 0.0)};
              if (s.rigs.contains("drop") && s.rigs.contains("incline"))
-                 list.push_back(range("tilt_azimuth", "rad", -pi, pi, 0.0));
+                 list.push_back(turn("tilt_azimuth"));
              return list;
          }},
         {"vibration",
          {},
          false,
          [](const Sizes&) {
-             return U{log_range("amplitude", "m", 1e-7, 1e-2),
-                      log_range("frequency", "Hz", 2.0, 500.0),
-                      range("phase", "rad", 0.0, 2.0 * pi, 1.0)};
+             return U{log_range("amplitude", "m", 1e-7, 0.1),
+                      log_range("frequency", "Hz", 2.0, 500.0), turn("phase")};
          }},
     };
     return table;

@@ -28,7 +28,7 @@ constexpr int draws = 1999;
 Candidate base_of(const Problem& p, const Whitener& w) {
     Candidate c{.h = p.hypothesis({}), .fit = {}};
     c.fit = fit_base(p, w, c.h);
-    c.log_evidence = c.fit.log_evidence;
+    deepen(p, w, c, nullptr);
     return c;
 }
 
@@ -129,6 +129,7 @@ Verdict diagnose(const cases::Case& stated, const Settings& settings,
     j.report(0.1, "single effects");
     j.fit_singles();
     j.estimate_noise();
+    j.set_outliers_aside();
     j.refit_all();
     j.estimate_noise();
     j.refit_all();

@@ -29,6 +29,7 @@ double reduced(const Unknown& x, double value) {
 VectorXd clipped(const std::vector<Unknown>& list, VectorXd u) {
     for (Index k = 0; k < u.size(); ++k) {
         const Unknown& x = list[static_cast<std::size_t>(k)];
+        if (x.turns && std::isfinite(u[k])) u[k] -= std::floor(u[k]);
         u[k] = std::clamp(std::isfinite(u[k]) ? u[k] : 0.5, lowest(x), highest(x));
     }
     return u;
@@ -210,9 +211,11 @@ VectorXd early_rows(const Problem& p, double share) {
 }
 
 double lowest(const Unknown& x) {
+    if (x.turns) return -0.5;  // never reached: what turns is kept between 0 and 1
     return x.prior == Prior::gaussian ? (x.low - x.mean) / x.deviation : 0.0;
 }
 double highest(const Unknown& x) {
+    if (x.turns) return 1.5;
     return x.prior == Prior::gaussian ? (x.high - x.mean) / x.deviation : 1.0;
 }
 
@@ -252,8 +255,27 @@ Fit fit(const Problem& p, const Whitener& w, const Hypothesised& h, const Vector
     return fit_to(p, w, h, p.recorded, start, staged, iterations);
 }
 
-Held fit_holding(const Problem& p, const Whitener& w, const Hypothesised& h, const VectorXd& theta,
-                 Index k, double at, int iterations) {
+double left_at(const Problem& p, const Whitener& w, const Hypothesised& h, const VectorXd& u,
+               const VectorXd& rows) {
+    const Solver s{p, w, h, rows, p.recorded};
+    const VectorXd inside = clipped(h.unknowns, u);
+    return s.objective(s.white(s.predict(inside)), inside);
+}
+
+VectorXd solved(const Problem& p, const Whitener& w, const Hypothesised& h, const VectorXd& u,
+                const VectorXd& rows, int iterations) {
+    return Solver{p, w, h, rows, p.recorded}.solve(clipped(h.unknowns, u), iterations);
+}
+
+Place descended(const Problem& p, const Whitener& w, const Hypothesised& h, const VectorXd& u,
+                int iterations) {
+    const Solver s{p, w, h, early_rows(p, 1.0), p.recorded};
+    const VectorXd end = s.solve(clipped(h.unknowns, u), iterations);
+    return {s.objective(s.white(s.predict(end)), end), to_theta(h.unknowns, end)};
+}
+
+Place fit_holding(const Problem& p, const Whitener& w, const Hypothesised& h, const VectorXd& theta,
+                  Index k, double at, int iterations) {
     VectorXd u = to_u(h.unknowns, theta);
     u[k] = at;
     const Solver s{p, w, h, early_rows(p, 1.0), p.recorded, k};

@@ -43,13 +43,27 @@ Fit fit(const Problem&, const Whitener&, const Hypothesised&, const Eigen::Vecto
 Fit fit_to(const Problem&, const Whitener&, const Hypothesised&, const Eigen::VectorXd& recorded,
            const Eigen::VectorXd& start, bool staged = true, int iterations = 25);
 
-// Unknown k stays at `at` (u), the others are refitted from `theta`.
-struct Held {
+// Where a fit has come to, and no more than that.
+struct Place {
     double objective;
     Eigen::VectorXd theta;
 };
-Held fit_holding(const Problem&, const Whitener&, const Hypothesised&, const Eigen::VectorXd& theta,
-                 Eigen::Index k, double at, int iterations);
+
+// The objective at u, by the rows that have a weight of 1.
+double left_at(const Problem&, const Whitener&, const Hypothesised&, const Eigen::VectorXd& u,
+               const Eigen::VectorXd& rows);
+
+// u after at most so many iterations on the rows that have a weight of 1.
+Eigen::VectorXd solved(const Problem&, const Whitener&, const Hypothesised&,
+                       const Eigen::VectorXd& u, const Eigen::VectorXd& rows, int iterations);
+
+// From u, at most so many iterations.
+Place descended(const Problem&, const Whitener&, const Hypothesised&, const Eigen::VectorXd& u,
+                int iterations);
+
+// Unknown k stays at `at` (u), the others are refitted from `theta`.
+Place fit_holding(const Problem&, const Whitener&, const Hypothesised&,
+                  const Eigen::VectorXd& theta, Eigen::Index k, double at, int iterations);
 
 // The user's model from its stated values and from a grid over the range of each free parameter; the best.
 Fit fit_base(const Problem&, const Whitener&, const Hypothesised&);

@@ -10,7 +10,7 @@ namespace diagnose {
 namespace {
 
 // Prior over hypotheses, before any recording is seen (docs/diagnose.md).
-constexpr double prior_none = 0.35, prior_unknown = 0.07, prior_singles = 0.48, prior_pairs = 0.10;
+constexpr double prior_none = 0.35, prior_unknown = 0.07, prior_singles = 0.53, prior_pairs = 0.05;
 
 }  // namespace
 

@@ -20,7 +20,7 @@ constexpr double deviations = 1.645;  // two-sided 90 %
 double bound(const Problem& p, const Whitener& w, const Candidate& c, Index k, double side) {
     const Unknown& x = c.h.unknowns[static_cast<std::size_t>(k)];
     const double best = to_u(c.h.unknowns, c.fit.theta)[k];
-    const double room = side > 0.0 ? highest(x) - best : best - lowest(x);
+    const double room = x.turns ? 0.5 : side > 0.0 ? highest(x) - best : best - lowest(x);
     // The others follow the valley: at first order from the fit, then on the way they went last.
     VectorXd here = to_u(c.h.unknowns, c.fit.theta);
     VectorXd along = side * c.fit.covariance.col(k) / c.fit.covariance(k, k);
@@ -29,7 +29,7 @@ double bound(const Problem& p, const Whitener& w, const Candidate& c, Index k, d
     for (int n = 0; n < 6; ++n) {
         reach = std::min(reach, room);
         const VectorXd start = to_theta(c.h.unknowns, here + (reach - inside) * along);
-        const Held held = fit_holding(p, w, c.h, start, k, best + side * reach, 15);
+        const Place held = fit_holding(p, w, c.h, start, k, best + side * reach, 15);
         const double rise = std::sqrt(std::max(0.0, held.objective - c.fit.objective()));
         if (rise < deviations) {
             if (reach >= room) return best + side * room;

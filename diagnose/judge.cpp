@@ -3,13 +3,33 @@
 
 #include "diagnose/gates.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace diagnose {
 
 using Eigen::VectorXd;
+
+namespace {
+
+// Singles of most evidence that go on to deeper minima: a drop takes its time.
+constexpr std::size_t worth_deepening = 10, worth_deepening_drops = 6;
+
+std::vector<std::size_t> best_of(const std::vector<Candidate>& list, std::size_t most) {
+    std::vector<std::size_t> order(list.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return list[a].log_evidence > list[b].log_evidence;
+    });
+    order.resize(std::min(order.size(), most));
+    return order;
+}
+
+}  // namespace
 
 const Candidate* Judge::artefact() const {
     for (const Candidate& c : singles)
@@ -21,6 +41,12 @@ void Judge::fit_singles() {
     singles.assign(terms.size(), {});
     in_parallel(terms.size(), settings.threads,
                 [&](std::size_t k) { singles[k] = extended(problem, *whiten, base, terms[k]); });
+    const bool drops = std::any_of(problem.records.begin(), problem.records.end(),
+                                   [](const Record& r) { return r.experiment->rig == "drop"; });
+    const std::vector<std::size_t> best =
+        best_of(singles, drops ? worth_deepening_drops : worth_deepening);
+    in_parallel(best.size(), settings.threads,
+                [&](std::size_t k) { deepen(problem, *whiten, singles[best[k]], &base); });
     // An effect's fit may have found a better place for the base parameters, too.
     for (const Candidate& c : singles) {
         if (c.fit.theta.size() == 0 || c.h.unknowns.size() < base.h.unknowns.size()) continue;
@@ -36,6 +62,32 @@ void Judge::fit_singles() {
 void Judge::estimate_noise() {
     const Candidate& rich = richest();
     noise = estimated(problem, problem.recorded - rich.fit.prediction, rich.h.unknowns.size());
+    whiten = std::make_unique<Whitener>(problem, noise);
+}
+
+// A recorded value that stands alone, six deviations off between neighbours that do not: a reading gone wrong. Physics that was
+// left out moves neighbours too.
+void Judge::set_outliers_aside() {
+    constexpr double far_off = 6.0, near = 3.5;
+    const VectorXd white = richest().fit.white;
+    for (Record& r : problem.records)
+        for (Channel& c : r.channels) {
+            const auto off = [&](std::size_t k) {
+                return k < c.recorded.size()
+                           ? std::abs(white[static_cast<Eigen::Index>(c.first + k)])
+                           : 0.0;
+            };
+            for (std::size_t k = 1; k + 1 < c.recorded.size(); ++k) {
+                if (off(k) < far_off || off(k - 1) > near || off(k + 1) > near) continue;
+                verdict.warnings.push_back(
+                    fmt::format("{}: one value of {} stands {:.1f} times the noise off, its "
+                                "neighbours do not: it was set aside "
+                                "({} = {:.4g}).",
+                                r.experiment->id, c.name, off(k), r.ordinate, r.ordinates.at[k]));
+                c.recorded[k] = std::nan("");
+                problem.recorded[static_cast<Eigen::Index>(c.first + k)] = std::nan("");
+            }
+        }
     whiten = std::make_unique<Whitener>(problem, noise);
 }
 

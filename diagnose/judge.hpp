@@ -52,6 +52,8 @@ struct Judge {
     const Candidate* artefact() const;  // the single numerical_artefact; null where there is none
     void fit_singles();
     void estimate_noise();
+    void
+    set_outliers_aside();  // single values far from what even the best fit says; the verdict warns
     void refit_all();
     Mismatch test(const Candidate&, int draws) const;
     double own_p(const Candidate&, int draws) const;  // of its own test of mismatch

@@ -102,7 +102,7 @@ std::vector<double> frequencies(double low, double high, double duration) {
 // The best few by all rows, and by the first 40 % of each recording: past the third bounce or so everything is out of step
 // unless the frequency is right already.
 std::array<Places, 2> large_vibrations(const Footing& on, const Term& term, int points) {
-    constexpr std::size_t few = 6;
+    constexpr std::size_t few = 20;
     const Hypothesised h = plus(on.problem, on.h, term);
     const VectorXd early = early_rows(on.problem, 0.4);
     const double g = gravity_of(on.problem);
@@ -213,7 +213,15 @@ std::vector<VectorXd> distinct(const Term& term, const Starts& s, std::size_t mo
         if (list.size() >= most) break;
         const VectorXd u = to_u(term.unknowns, values);
         const bool fresh = std::all_of(places.begin(), places.end(), [&](const VectorXd& other) {
-            return (u - other).cwiseAbs().maxCoeff() > 0.1;
+            double farthest = 0.0;
+            for (Index k = 0; k < u.size(); ++k) {
+                const Unknown& x = term.unknowns[static_cast<std::size_t>(k)];
+                double apart = std::abs(u[k] - other[k]);
+                if (x.turns) apart = std::min(apart, 1.0 - apart);
+                if (x.key == "frequency") apart *= 6.0;  // a tenth in frequency is another one
+                farthest = std::max(farthest, apart);
+            }
+            return farthest > 0.1;
         });
         if (fresh) list.push_back(values), places.push_back(u);
     }

@@ -37,7 +37,7 @@ Starts starts_of(const Footing&, const Term&);
 // is looked for anew: what it was taken for may have been the other term.
 Starts starts_beside(const Footing&, const Term&, const Eigen::VectorXd& u);
 
-// The first `most` that are a tenth of a range or more apart in some unknown.
+// The first `most` that are a tenth of a range, or of a frequency, or more apart in some unknown.
 std::vector<Eigen::VectorXd> distinct(const Term&, const Starts&, std::size_t most);
 
 }  // namespace diagnose

@@ -38,6 +38,7 @@ struct Unknown {
     std::string experiment{};  // empty: one value for all experiments
     std::size_t index = 0;     // of a knot
     double start = 0.0;
+    bool turns = false;  // from low to high is a full turn: both ends are one place
 };
 
 // One effect that may have been left out.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "prove/figures.hpp"
 
+#include <Eigen/QR>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
 
@@ -42,10 +43,70 @@ std::vector<std::vector<double>> starts_of(const std::vector<const Term*>& terms
     return all;
 }
 
+// Values of the term's unknowns over their ranges: 24 for one unknown, some 70 for two, some 400 for a vibration.
+std::vector<std::vector<double>> grid_of(const Term& t) {
+    std::vector<std::vector<double>> grid{{}};
+    for (std::size_t k = 0; k < t.unknowns.size(); ++k) {
+        const Unknown& u = t.unknowns[k];
+        const int points = t.unknowns.size() == 1   ? 24
+                           : t.unknowns.size() == 2 ? (k == 0 ? 12 : 6)
+                           : u.name == "frequency"  ? 36
+                                                    : 3;
+        std::vector<std::vector<double>> finer;
+        for (const std::vector<double>& begun : grid)
+            for (int n = 0; n < points; ++n) {
+                const double share = (n + 0.5) / points;
+                finer.push_back(begun);
+                finer.back().push_back(u.logarithmic ? u.low * std::pow(u.high / u.low, share)
+                                                     : u.low + share * (u.high - u.low));
+            }
+        grid = std::move(finer);
+    }
+    return grid;
+}
+
+World with_values(const Term& t, const std::vector<double>& values, World w,
+                  std::vector<Setup>& setups) {
+    enable(t, w);
+    Eigen::VectorXd theta(static_cast<Eigen::Index>(values.size()));
+    for (std::size_t k = 0; k < values.size(); ++k)
+        theta[static_cast<Eigen::Index>(k)] =
+            std::clamp(values[k], t.unknowns[k].low, t.unknowns[k].high);
+    put(t.unknowns, theta, w, setups);
+    return w;
+}
+
+// The best places of the grid, where the unknowns of `begin` answer at first order.
+std::vector<std::vector<double>> best_of_grid(const Skeleton& sk, const Term& t,
+                                              const Eigen::VectorXd& wanted, const Fit& begin,
+                                              std::size_t most) {
+    if (t.unknowns.empty()) return {{}};
+    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(begin.slopes);
+    const Eigen::Index known = begin.slopes.cols();
+    std::vector<std::pair<double, std::vector<double>>> places;
+    for (const std::vector<double>& values : grid_of(t)) {
+        std::vector<Setup> setups = begin.setups;
+        const World w = with_values(t, values, begin.world, setups);
+        Eigen::VectorXd off = begin.misfit;
+        off.head(wanted.size()) = whitened(setups, sk.noise, predict(w, setups) - wanted);
+        const Eigen::VectorXd turned = qr.householderQ().adjoint() * off;
+        const double left = turned.tail(turned.size() - known).squaredNorm();
+        if (std::isfinite(left)) places.emplace_back(left, values);
+    }
+    std::sort(places.begin(), places.end());
+    std::vector<std::vector<double>> best;
+    for (std::size_t k = 0; k < std::min(most, places.size()); ++k)
+        best.push_back(places[k].second);
+    return best;
+}
+
 // What the priors take of the truth itself: no wrong term is charged with that.
-double penalty_of_truth(const Skeleton& sk) {
+double penalty_of_truth(const Skeleton& sk, const std::vector<std::size_t>& list) {
     double sum = 0.0;
     for (const Unknown& n : sk.nuisances) {
+        if (std::find(list.begin(), list.end(), static_cast<std::size_t>(n.experiment)) ==
+            list.end())
+            continue;
         const double off = value_of(n, sk.world, sk.truth) - n.mean;
         sum += off * off / (n.deviation * n.deviation);
     }
@@ -138,27 +199,23 @@ Fit base_fit(const Skeleton& sk, const std::vector<std::size_t>& list,
     return least_base(sk, list, wanted);
 }
 
-Fit fit_with(const Skeleton& sk, const std::vector<const Term*>& terms,
+Fit fit_from(const Skeleton& sk, const std::vector<const Term*>& terms,
              const std::vector<std::size_t>& list, const Eigen::VectorXd& wanted, const Fit& begin,
-             int iterations) {
+             const std::vector<std::vector<double>>& starts, int iterations) {
     const std::vector<Unknown> unknowns = unknowns_with(sk, terms, list);
-    std::size_t extra = 0;
-    for (const Term* t : terms) extra += t->unknowns.size();
-    const std::vector<Unknown> added(unknowns.end() - static_cast<std::ptrdiff_t>(extra),
-                                     unknowns.end());
     // A few steps from every start, the rest from the best place.
-    const std::vector<std::vector<double>> starts = starts_of(terms, 6);
     const int tries = starts.size() > 1 ? 3 : iterations;
     Fit best;
     double least = std::numeric_limits<double>::infinity();
     for (const std::vector<double>& start : starts) {
         World w = begin.world;
-        for (const Term* t : terms) enable(*t, w);
         std::vector<Setup> setups = begin.setups;
-        Eigen::VectorXd theta(static_cast<Eigen::Index>(extra));
-        for (std::size_t k = 0; k < extra; ++k)
-            theta[static_cast<Eigen::Index>(k)] = std::clamp(start[k], added[k].low, added[k].high);
-        put(added, theta, w, setups);
+        auto first = start.begin();
+        for (const Term* t : terms) {
+            const auto last = first + static_cast<std::ptrdiff_t>(t->unknowns.size());
+            w = with_values(*t, {first, last}, w, setups);
+            first = last;
+        }
         Fit f = fit(w, setups, unknowns, sk.noise, wanted, tries, 1e-3);
         if (f.chi2 + f.penalty < least) {
             least = f.chi2 + f.penalty;
@@ -169,16 +226,26 @@ Fit fit_with(const Skeleton& sk, const std::vector<const Term*>& terms,
     return fit(best.world, best.setups, unknowns, sk.noise, wanted, iterations, 1e-3);
 }
 
+Fit fit_with(const Skeleton& sk, const std::vector<const Term*>& terms,
+             const std::vector<std::size_t>& list, const Eigen::VectorXd& wanted, const Fit& begin,
+             int iterations) {
+    return fit_from(sk, terms, list, wanted, begin, starts_of(terms, 6), iterations);
+}
+
 Separation separation(const Skeleton& sk, const World& truth, const std::vector<std::string>& right,
-                      double enough) {
-    const std::vector<std::size_t> list = all_experiments(sk);
-    const Eigen::VectorXd wanted = predict(truth, sk.truth);
+                      double enough, std::vector<std::size_t> list) {
+    if (list.empty()) list = all_experiments(sk);
+    const Eigen::VectorXd wanted = predict(truth, chosen(sk.truth, list));
     Separation best{std::numeric_limits<double>::infinity(), "", ""};
-    const double own = penalty_of_truth(sk);
+    const double own = penalty_of_truth(sk, list);
     const Fit begin = base_fit(sk, list, wanted);
     for (const Term& t : terms(sk.stated, sk.physics)) {
         if (std::find(right.begin(), right.end(), t.effect) != right.end()) continue;
-        const Fit f = fit_with(sk, {&t}, list, wanted, begin);
+        std::vector<std::vector<double>> starts = starts_of({&t}, enough == 0.0 ? 3 : 6);
+        if (enough == 0.0)
+            for (std::vector<double>& more : best_of_grid(sk, t, wanted, begin, 3))
+                starts.push_back(std::move(more));
+        const Fit f = fit_from(sk, {&t}, list, wanted, begin, starts, 12);
         const double d = std::sqrt(std::max(0.0, f.chi2 + f.penalty - own));
         if (d < best.d) best = {d, t.effect, t.channel};
         if (best.d < enough) break;
@@ -190,7 +257,7 @@ Separation pair_separation(const Skeleton& sk, const World& truth, int first) {
     const std::vector<std::size_t> list = all_experiments(sk);
     const Eigen::VectorXd wanted = predict(truth, sk.truth);
     const std::vector<Term> all = terms(sk.stated, sk.physics);
-    const double own = penalty_of_truth(sk);
+    const double own = penalty_of_truth(sk, list);
     const Fit begin = base_fit(sk, list, wanted);
     std::vector<std::pair<double, std::size_t>> singles;
     for (std::size_t k = 0; k < all.size(); ++k) {

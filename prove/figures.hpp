@@ -39,9 +39,10 @@ struct Separation {
     double d;
     std::string effect, channel;
 };
-// `right`: effects that are no wrong ones. `enough`: stop as soon as d falls below (0: never).
+// `right`: effects that are no wrong ones. `enough`: stop as soon as d falls below; 0: never, and a grid over each term is searched
+// for where its fit begins. `list`: experiments, empty: all.
 Separation separation(const Skeleton&, const World& truth, const std::vector<std::string>& right,
-                      double enough = 0.0);
+                      double enough = 0.0, std::vector<std::size_t> list = {});
 // The least over pairs of terms, of which the first is among the best `first` singles.
 Separation pair_separation(const Skeleton&, const World& truth, int first = 4);
 

@@ -233,7 +233,8 @@ Fit fit(World world, std::vector<Setup> setups, const std::vector<Unknown>& unkn
         if (!better || small == 2 || gain < 1e-6) break;
     }
     here = p.misfit(x);
-    Fit f{world, setups, Eigen::VectorXd(x.size()), 0.0, 0.0, {}};
+    Fit f{world, setups, Eigen::VectorXd(x.size()),      0.0,
+          0.0,   here,   Eigen::MatrixXd(here.size(), 0)};
     for (std::size_t k = 0; k < unknowns.size(); ++k) f.theta[at(k)] = outer(unknowns[k], x[at(k)]);
     put(unknowns, f.theta, f.world, f.setups);
     f.penalty = here.tail(x.size()).squaredNorm();
@@ -242,7 +243,7 @@ Fit fit(World world, std::vector<Setup> setups, const std::vector<Unknown>& unkn
         j = p.jacobian(x, here);
         for (std::size_t k = 0; k < unknowns.size(); ++k)
             j.col(at(k)) /= stretch(unknowns[k], x[at(k)]);
-        f.information = j.transpose() * j;
+        f.slopes = std::move(j);
     }
     return f;
 }
@@ -252,10 +253,11 @@ Eigen::VectorXd standard_errors(const Fit& f) {
     Eigen::VectorXd errors = Eigen::VectorXd::Constant(n, std::numeric_limits<double>::infinity());
     if (n == 0) return errors;
     // Scaled to a unit diagonal first: the unknowns have different units.
-    Eigen::VectorXd d = f.information.diagonal().cwiseMax(0.0).cwiseSqrt();
+    const Eigen::MatrixXd information = f.information();
+    Eigen::VectorXd d = information.diagonal().cwiseMax(0.0).cwiseSqrt();
     for (Eigen::Index k = 0; k < n; ++k)
         if (!(d[k] > 0.0)) d[k] = 1e-300;
-    Eigen::MatrixXd scaled = f.information;
+    Eigen::MatrixXd scaled = information;
     for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index k = 0; k < n; ++k) scaled(i, k) /= d[i] * d[k];
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scaled);

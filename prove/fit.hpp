@@ -44,10 +44,11 @@ struct Fit {
     World world;
     std::vector<Setup> setups;
     Eigen::VectorXd theta;
-    double chi2 = 0.0;     // of whitened residual, data only
-    double penalty = 0.0;  // of the priors
-    Eigen::MatrixXd
-        information;  // J' S^-1 J + prior, of theta; at ends of ranges like anywhere else
+    double chi2 = 0.0;       // of whitened residual, data only
+    double penalty = 0.0;    // of the priors
+    Eigen::VectorXd misfit;  // whitened rows, then one for each prior
+    Eigen::MatrixXd slopes;  // of the misfit by theta; at ends of ranges like anywhere else
+    Eigen::MatrixXd information() const { return slopes.transpose() * slopes; }
 };
 
 // From the values that `world` and `setups` have. `wanted` has the shape of predict(). Ends where a step gains less than

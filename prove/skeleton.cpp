@@ -39,8 +39,7 @@ Skeleton drops(Dice& dice) {
     for (int k = 0; k < d.count(); ++k) {
         Setup s = d.grain_of(k);
         s.id = id_of("drop", k);
-        s.height =
-            k < d.fits ? heights.draw(dice) : rounded(heights.high * dice.uniform(1.2, 2.2), 3);
+        s.height = heights.draw(dice);
         if (sideways) s.horizontal_speed = rounded(dice.uniform(0.2, 1.5) * std::sqrt(s.height), 3);
         if (spins) s.spin = rounded(dice.uniform(-1.0, 1.0) * std::sqrt(s.height) / s.diameter, 3);
         const double duration = falls * std::sqrt(2.0 * s.height / s.gravity);
@@ -79,10 +78,7 @@ Skeleton inclines(Dice& dice) {
     for (int k = 0; k < d.count(); ++k) {
         Setup s = d.grain_of(k);
         s.id = id_of("run", k);
-        const double degrees =
-            k < d.fits ? steep.draw(dice)
-                       : rounded(std::min(50.0, steep.high * dice.uniform(1.1, 1.6)), 3);
-        s.angle = degrees * degree;
+        s.angle = steep.draw(dice) * degree;
         s.speed = rounded(dice.uniform(-0.6, 1.2), 3);
         const double rolls = s.speed / s.radius();
         s.spin = rounded(dice.chance(0.4) ? 0.0 : rolls * dice.uniform(-0.4, 1.6), 3);
@@ -119,7 +115,7 @@ Skeleton impacts(Dice& dice) {
     for (int k = 0; k < d.count(); ++k) {
         Setup s = d.grain_of(k);
         s.id = id_of("shots", k);
-        s.speed = k < d.fits ? speeds.draw(dice) : rounded(speeds.high * dice.uniform(1.3, 2.2), 3);
+        s.speed = speeds.draw(dice);
         if (spins) s.spin = rounded(dice.uniform(-1.0, 1.0) * s.speed / s.radius(), 3);
         for (int row = 0; row < rows; ++row) {
             double at = from + (to - from) * row / (rows - 1.0);
@@ -172,8 +168,7 @@ Skeleton curves(Dice& dice) {
         Setup s = d.grain_of(k);
         s.id = id_of("curve", k);
         const double unit = 1.5 * std::numbers::pi * 0.05 * s.r_star();
-        const double load = k < d.fits ? loads.draw(dice) : loads.high * dice.uniform(1.3, 2.2);
-        s.preload = rounded(load * unit, 3);
+        s.preload = rounded(loads.draw(dice) * unit, 3);
         const double k_hertz = 4.0 / 3.0 * s.e_star() * std::sqrt(s.r_star());
         double deep = std::pow(s.preload / k_hertz, 2.0 / 3.0);
         double far = std::max(10e-9, reach * deep);

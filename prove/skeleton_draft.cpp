@@ -62,9 +62,9 @@ std::vector<double> sampling_times(Dice& dice, double duration, int rows, bool u
 Setup SkeletonDraft::grain_of(int k) {
     Setup s = common;
     s.held_out = last(k);
-    if (other_sizes && k > 0 && (broad || last(k)))
+    if (other_sizes && k > 0 && broad)
         s.diameter = rounded(common.diameter * dice.log_uniform(0.45, 2.2), 3);
-    if (other_materials && k > 0 && (broad || last(k))) set_grain(s, dice.of(materials));
+    if (other_materials && k > 0 && broad) set_grain(s, dice.of(materials));
     return s;
 }
 
@@ -117,9 +117,10 @@ SkeletonDraft begin_skeleton(Rig rig, Dice& dice) {
                     .uneven = dice.chance(0.25),
                     .gaps = dice.chance(0.3),
                     .fits = 2 + static_cast<int>(dice.pick(3)),
-                    .held_out = 1 + static_cast<int>(dice.pick(2)),
+                    .held_out = 1,
                     .common = {},
                     .materials = grains()};
+    if (d.fits == 4 && dice.chance(0.5)) d.held_out = 2;
     d.sk.rig = rig;
     d.common.rig = rig;
     set_grain(d.common, dice.of(d.materials));
