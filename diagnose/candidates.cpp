@@ -38,7 +38,7 @@ constexpr double nearly_as_deep =
 
 // From how many places a fit is begun: a term of one unknown has few minima, others many.
 std::size_t places_of(const Term& term, std::size_t at_least) {
-    return term.effect == "vibration" ? 18 : term.unknowns.size() > 1 ? 3 * at_least : at_least + 1;
+    return term.unknowns.size() > 1 ? 3 * at_least : at_least + 1;
 }
 
 // The best of fits from all places, and the other minima: where there are many places, short fits first.
@@ -78,16 +78,23 @@ void fit_from(const Footing& on, const std::vector<VectorXd>& places, int iterat
 
 // A vibration has as many minima as bounces allow: it is followed in time from many places.
 void fit_vibration(const Footing& on, const std::vector<VectorXd>& places, Candidate& c) {
-    constexpr std::size_t fitted_out = 4;
+    constexpr std::size_t fitted_out = 4, at_once = 8;
     std::vector<VectorXd> from;
     for (const VectorXd& own : places) from.push_back(to_u(c.h.unknowns, carried(on, c.h, own)));
-    const std::vector<Place> ends = followed_in_time(on.problem, on.whiten, c.h, from);
-    for (std::size_t k = 0; k < std::min(fitted_out, ends.size()); ++k) {
-        Fit f = fit(on.problem, on.whiten, c.h, ends[k].theta, false, 25);
-        if (f.log_evidence <= c.fit.log_evidence) continue;
-        if (c.fit.objective() < f.objective() + nearly_as_deep) c.modes.push_back(c.fit.theta);
-        c.fit = std::move(f);
-    }
+    std::vector<Place> ends = followed_in_time(on.problem, on.whiten, c.h, from);
+    for (std::size_t k = 0; k < std::min(at_once, from.size()); ++k)  // weak ones need no leading
+        ends.push_back(descended(on.problem, on.whiten, c.h, from[k], 5));
+    std::stable_sort(ends.begin(), ends.end(),
+                     [](const Place& a, const Place& b) { return a.objective < b.objective; });
+    std::vector<Fit> fits;
+    for (std::size_t k = 0; k < std::min(fitted_out, ends.size()); ++k)
+        fits.push_back(fit(on.problem, on.whiten, c.h, ends[k].theta, false, 25));
+    std::stable_sort(fits.begin(), fits.end(),
+                     [](const Fit& a, const Fit& b) { return a.log_evidence > b.log_evidence; });
+    for (std::size_t k = 1; k < fits.size(); ++k)
+        if (fits[k].objective() < fits[0].objective() + nearly_as_deep)
+            c.modes.push_back(fits[k].theta);
+    c.fit = std::move(fits.front());
 }
 
 }  // namespace
@@ -129,8 +136,10 @@ Candidate extended(const Problem& p, const Whitener& w, const Candidate& start, 
     }
     const Starts starts = starts_of(on, term);
     c.unseen = starts.unseen;
-    fit_from(on, distinct(term, starts, places_of(term, 2)), 25, c);
-    if (term.effect == "vibration") fit_vibration(on, distinct(term, starts, 48), c);
+    if (term.effect == "vibration")
+        fit_vibration(on, distinct(term, starts, 36), c);
+    else
+        fit_from(on, distinct(term, starts, places_of(term, 2)), 25, c);
     weigh(c, &start);
     return c;
 }
@@ -188,7 +197,10 @@ std::vector<Candidate> pairs_of(const Problem& p, const Whitener& w,
         c.log_evidence = c.fit.log_evidence;
         pairs[k] = std::move(c);
     });
-    // Two effects of which one shows nothing that the other leaves are that other.
+    return pairs;
+}
+
+void drop_idle(std::vector<Candidate>& pairs, const std::vector<Candidate>& singles) {
     std::erase_if(pairs, [&](const Candidate& pair) {
         return std::any_of(singles.begin(), singles.end(), [&](const Candidate& single) {
             const Term* term = single.h.terms.front();
@@ -197,7 +209,6 @@ std::vector<Candidate> pairs_of(const Problem& p, const Whitener& w,
                    single.fit.objective() < pair.fit.objective() + seen;
         });
     });
-    return pairs;
 }
 
 void deepen(const Problem& p, const Whitener& w, Candidate& c, const Candidate* start) {
@@ -279,8 +290,8 @@ std::vector<Candidate> with_missing_force(const Problem& p, const Whitener& w,
         Candidate c{.h = h,
                     .fit = fit(p, w, h, carried(on, h, VectorXd::Zero(static_cast<Index>(knots))),
                                false, 10)};
-        // The size was chosen among some 20, the variable among those there are.
-        c.log_evidence = c.fit.log_evidence - 2.0;
+        // The size was chosen among some 20, the variable among those there are, and neighbours of the best do well, too.
+        c.log_evidence = c.fit.log_evidence - 4.0;
         all.push_back(std::move(c));
     }
     std::stable_sort(all.begin(), all.end(),

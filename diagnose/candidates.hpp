@@ -34,6 +34,9 @@ std::vector<Candidate> pairs_of(const Problem&, const Whitener&,
                                 const std::vector<Candidate>& singles, std::size_t beam,
                                 std::size_t most, int threads);
 
+// Without those of which one effect shows nothing that the other leaves: they are that other.
+void drop_idle(std::vector<Candidate>& pairs, const std::vector<Candidate>& singles);
+
 // The same from where it stands, under another whitener; `start` is what the last term was added to, itself refitted.
 void refit(const Problem&, const Whitener&, Candidate&, const Candidate* start);
 

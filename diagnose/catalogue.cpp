@@ -31,6 +31,13 @@ Unknown range(const std::string& name, const std::string& unit, double low, doub
             .high = high,
             .start = start};
 }
+// Gaussian about a mean, `most` from it at most.
+Unknown about(const std::string& name, const std::string& unit, double mean, double deviation,
+              double most) {
+    Unknown x = range(name, unit, mean - most, mean + most, mean);
+    x.prior = Prior::gaussian, x.mean = mean, x.deviation = deviation;
+    return x;
+}
 // An angle of which nothing is known.
 Unknown turn(const std::string& name) {
     Unknown x = range(name, "rad", 0.0, 2.0 * pi, 1.0);
@@ -136,7 +143,7 @@ const std::vector<Entry>& entries() {
          true,
          [](const Sizes& s) {
              // A fall shows the part along x alone, a plane leans one way or the other; both together show the azimuth.
-             U list{range("tilt_angle", "rad", -0.26, 0.26, 0.0)};
+             U list{about("tilt_angle", "rad", 0.0, 0.06, 0.26)};
              if (s.rigs.contains("drop") && s.rigs.contains("incline"))
                  list.push_back(turn("tilt_azimuth"));
              return list;

@@ -14,7 +14,7 @@
 namespace diagnose {
 namespace {
 
-constexpr double far_apart = 2.5;   // sigma between two hypotheses that recordings can tell apart
+constexpr double far_apart = 3.0;   // sigma between two hypotheses that recordings can tell apart
 constexpr double sure = 0.75;       // probability at which rivals that far apart are out
 constexpr double close_odds = 3.0;  // log odds of a rival that stands while the winner is not sure
 constexpr double negligible_odds = 14.0;

@@ -143,7 +143,7 @@ Verdict diagnose(const cases::Case& stated, const Settings& settings,
         j.forces = with_missing_force(j.problem, *j.whiten, j.base, j.force_terms);
         if (!j.one_is_enough()) {
             j.report(0.55, "pairs of effects");
-            j.pairs = pairs_of(j.problem, *j.whiten, j.singles, 4, 10, settings.threads);
+            j.fit_pairs();
         }
     }
     j.report(0.8, "weighing");

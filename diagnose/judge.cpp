@@ -16,8 +16,16 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Singles of most evidence that go on to deeper minima: a drop takes its time.
-constexpr std::size_t worth_deepening = 10, worth_deepening_drops = 6;
+// Singles of most evidence, and pairs, that go on to deeper minima: a drop takes its time.
+constexpr std::size_t worth_deepening = 10, worth_deepening_drops = 3,
+                      pairs_worth_deepening_drops = 2;
+constexpr double much =
+    25.0;  // chi squared by which two effects do better than one: the noise is looked at again
+
+bool drops(const Problem& p) {
+    return std::any_of(p.records.begin(), p.records.end(),
+                       [](const Record& r) { return r.experiment->rig == "drop"; });
+}
 
 std::vector<std::size_t> best_of(const std::vector<Candidate>& list, std::size_t most) {
     std::vector<std::size_t> order(list.size());
@@ -41,10 +49,8 @@ void Judge::fit_singles() {
     singles.assign(terms.size(), {});
     in_parallel(terms.size(), settings.threads,
                 [&](std::size_t k) { singles[k] = extended(problem, *whiten, base, terms[k]); });
-    const bool drops = std::any_of(problem.records.begin(), problem.records.end(),
-                                   [](const Record& r) { return r.experiment->rig == "drop"; });
     const std::vector<std::size_t> best =
-        best_of(singles, drops ? worth_deepening_drops : worth_deepening);
+        best_of(singles, drops(problem) ? worth_deepening_drops : worth_deepening);
     in_parallel(best.size(), settings.threads,
                 [&](std::size_t k) { deepen(problem, *whiten, singles[best[k]], &base); });
     // An effect's fit may have found a better place for the base parameters, too.
@@ -57,6 +63,26 @@ void Judge::fit_singles() {
                 again.log_evidence = again.fit.log_evidence, base = std::move(again);
         }
     }
+}
+
+void Judge::fit_pairs() {
+    pairs = pairs_of(problem, *whiten, singles, 4, 10, settings.threads);
+    const std::vector<std::size_t> best =
+        best_of(pairs, drops(problem) ? pairs_worth_deepening_drops : worth_deepening);
+    in_parallel(best.size(), settings.threads,
+                [&](std::size_t k) { deepen(problem, *whiten, pairs[best[k]], nullptr); });
+    drop_idle(pairs, singles);
+    // What one effect alone leaves looks like noise with a correlation: with two there may be none.
+    const auto cost = [](const Candidate& c) { return c.fit.objective(); };
+    double single = base.fit.objective(), two = single;
+    for (const Candidate& c : singles) single = std::min(single, cost(c));
+    for (const Candidate& c : pairs) two = std::min(two, cost(c));
+    if (two > single - much) return;
+    for (int k = 0; k < 2; ++k) {
+        estimate_noise();
+        refit_all();
+    }
+    forces = with_missing_force(problem, *whiten, base, force_terms);
 }
 
 void Judge::estimate_noise() {
@@ -95,6 +121,8 @@ void Judge::refit_all() {
     refit(problem, *whiten, base, nullptr);
     in_parallel(singles.size(), settings.threads,
                 [&](std::size_t k) { refit(problem, *whiten, singles[k], &base); });
+    in_parallel(pairs.size(), settings.threads,
+                [&](std::size_t k) { refit(problem, *whiten, pairs[k], nullptr); });
 }
 
 Mismatch Judge::test(const Candidate& c, int n) const {

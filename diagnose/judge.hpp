@@ -51,6 +51,7 @@ struct Judge {
     }
     const Candidate* artefact() const;  // the single numerical_artefact; null where there is none
     void fit_singles();
+    void fit_pairs();
     void estimate_noise();
     void
     set_outliers_aside();  // single values far from what even the best fit says; the verdict warns

@@ -89,7 +89,7 @@ Deeper deeper_minimum(const Problem& p, const Whitener& w, const Hypothesised& h
 std::vector<Place> followed_in_time(const Problem& p, const Whitener& w, const Hypothesised& h,
                                     const std::vector<VectorXd>& from) {
     constexpr int short_fit = 4, long_fit = 12;
-    constexpr std::size_t fewest = 6;
+    constexpr std::size_t fewest = 5;
     constexpr double goes_on = 0.7;  // of the places, those with the least left
     std::vector<Place> ends;
     for (const double first : {0.2, 0.5}) {

@@ -42,13 +42,15 @@ std::vector<VectorXd> grid_of(const Term& t) {
     return grid;
 }
 
-// The term's own fit, and other strengths with its further unknowns as there.
+// The term's own fit, other strengths with its further unknowns as there, and the grid where it has such.
 std::vector<VectorXd> strengths(const Term& t, const VectorXd& u) {
     std::vector<VectorXd> list{u};
     if (t.unknowns.empty()) return list;
     const int count = grid_points(t, 0);
     for (int c = 0; c < count; ++c)
         list.push_back(u), list.back()[0] = grid_value(t.unknowns[0], (c + 0.5) / count);
+    if (t.unknowns.size() > 1)
+        for (VectorXd& other : grid_of(t)) list.push_back(std::move(other));
     return list;
 }
 

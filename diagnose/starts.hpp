@@ -33,7 +33,7 @@ Eigen::VectorXd carried(const Footing&, const Hypothesised& to, const Eigen::Vec
 // early ones alone; the three lists take turns.
 Starts starts_of(const Footing&, const Term&);
 
-// Beside another term: the values u of the term's own fit, and other strengths with its further unknowns as there. A vibration
+// Beside another term: the values u of the term's own fit, other strengths with its further unknowns as there, and its grid. A vibration
 // is looked for anew: what it was taken for may have been the other term.
 Starts starts_beside(const Footing&, const Term&, const Eigen::VectorXd& u);
 

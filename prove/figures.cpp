@@ -43,15 +43,15 @@ std::vector<std::vector<double>> starts_of(const std::vector<const Term*>& terms
     return all;
 }
 
-// Values of the term's unknowns over their ranges: 24 for one unknown, some 70 for two, some 400 for a vibration.
+// Values of the term's unknowns over their ranges: 24 for one unknown, some 70 for two, some 100 for a vibration.
 std::vector<std::vector<double>> grid_of(const Term& t) {
     std::vector<std::vector<double>> grid{{}};
     for (std::size_t k = 0; k < t.unknowns.size(); ++k) {
         const Unknown& u = t.unknowns[k];
         const int points = t.unknowns.size() == 1   ? 24
                            : t.unknowns.size() == 2 ? (k == 0 ? 12 : 6)
-                           : u.name == "frequency"  ? 36
-                                                    : 3;
+                           : u.name == "frequency"  ? 24
+                                                    : 2;
         std::vector<std::vector<double>> finer;
         for (const std::vector<double>& begun : grid)
             for (int n = 0; n < points; ++n) {
