@@ -2,6 +2,7 @@
 // How hidden a secret is: figures made by hand against those of the generator.
 #include "prove/figures.hpp"
 
+#include "prove/blind_case.hpp"
 #include "tests/prove/worlds.hpp"
 
 #include <catch2/catch.hpp>
@@ -96,6 +97,29 @@ TEST_CASE("prove: separation is nothing where another term does the same", "[pro
     const Separation near = separation(sk, truth, {"buoyancy"});
     REQUIRE(near.d < 0.05);
     REQUIRE(mismatch(sk, truth).lambda > 25.0);
+}
+
+TEST_CASE("prove: held-out recordings are like the others", "[prove]") {
+    for (const Rig rig : {Rig::drop, Rig::impact, Rig::pull_off, Rig::incline}) {
+        double sum = 0.0, squares = 0.0;
+        int n = 0;
+        for (std::uint64_t k = 0; k < 300; ++k) {
+            Dice dice(17, k, 0);
+            const Skeleton sk = draw(rig, dice);
+            const auto condition = [&](const Setup& s) {
+                return std::log(rig == Rig::drop      ? s.height
+                                : rig == Rig::impact  ? s.speed
+                                : rig == Rig::incline ? s.angle
+                                                      : s.preload / s.r_star());
+            };
+            // The first fitted against the first held out: exchangeable, so that the mean difference is nothing.
+            const double d =
+                condition(sk.stated[with_role(sk, true).front()]) - condition(sk.stated.front());
+            sum += d, squares += d * d, ++n;
+        }
+        const double error = std::sqrt(squares) / n;
+        CHECK(std::abs(sum / n) < 4.0 * error);
+    }
 }
 
 TEST_CASE("prove: nrmse is per cent of the recorded range, mean over channels", "[prove]") {
