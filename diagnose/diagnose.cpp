@@ -166,6 +166,11 @@ Verdict diagnose(const cases::Case& stated, const Settings& settings,
     for (Effect& e : v.effects) {
         e.why = reasons(e.name, e.probability, j.base.fit.objective() - chosen.fit.objective(),
                         v.located);
+        if (std::isfinite(j.left_out_base + j.left_out_winner) && j.left_out_base > 0.0)
+            e.why.push_back(
+                fmt::format("Each recording predicted by what the others say: chi squared {:.0f} "
+                            "in all with {}, {:.0f} without.",
+                            j.left_out_winner, chosen.name(), j.left_out_base));
         for (const Gate& g : e.gates)
             if (g.result == GateResult::untestable)
                 v.warnings.push_back(fmt::format("{}: gate \"{}\" cannot be tested. {}",

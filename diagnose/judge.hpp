@@ -30,6 +30,8 @@ struct Judge {
     std::vector<Term> force_terms;
     std::vector<Candidate> forces;  // falling evidence
     std::vector<double> innovations;
+    double left_out_base = 0.0,
+           left_out_winner = 0.0;  // left_out.hpp; NaN where there is nothing to leave out
     Verdict verdict{};
 
     Judge(const cases::Case& c, const Settings& s)
