@@ -176,6 +176,12 @@ Verdict diagnose(const cases::Case& stated, const Settings& settings,
                 v.warnings.push_back(fmt::format("{}: gate \"{}\" cannot be tested. {}",
                                                  plain_name(e.name), g.name, g.why));
     }
+    if (j.left_out_winner > j.left_out_base)
+        v.warnings.push_back(
+            fmt::format("Recordings left out one at a time are predicted worse with {} (chi "
+                        "squared {:.0f}) than without ({:.0f}): what it "
+                        "needs may be known from one of them alone.",
+                        chosen.name(), j.left_out_winner, j.left_out_base));
     j.report(0.97, "what was held out");
     cases::Case opened = given;
     open_held_out(opened);

@@ -16,15 +16,19 @@ using Eigen::VectorXd;
 
 namespace {
 
-// Singles of most evidence, and pairs, that go on to deeper minima: a drop takes its time.
-constexpr std::size_t worth_deepening = 10, worth_deepening_drops = 3,
-                      pairs_worth_deepening_drops = 2;
 constexpr double much =
     25.0;  // chi squared by which two effects do better than one: the noise is looked at again
 
-bool drops(const Problem& p) {
-    return std::any_of(p.records.begin(), p.records.end(),
-                       [](const Record& r) { return r.experiment->rig == "drop"; });
+// How many singles of most evidence, and pairs, go on to deeper minima: bounces and micro-slip take their time.
+struct Deepened {
+    std::size_t singles, pairs;
+};
+Deepened deepened(const Problem& p) {
+    const auto any = [&](const char* rig) {
+        return std::any_of(p.records.begin(), p.records.end(),
+                           [&](const Record& r) { return r.experiment->rig == rig; });
+    };
+    return any("drop") ? Deepened{3, 1} : any("impact") ? Deepened{8, 1} : Deepened{10, 10};
 }
 
 std::vector<std::size_t> best_of(const std::vector<Candidate>& list, std::size_t most) {
@@ -49,8 +53,7 @@ void Judge::fit_singles() {
     singles.assign(terms.size(), {});
     in_parallel(terms.size(), settings.threads,
                 [&](std::size_t k) { singles[k] = extended(problem, *whiten, base, terms[k]); });
-    const std::vector<std::size_t> best =
-        best_of(singles, drops(problem) ? worth_deepening_drops : worth_deepening);
+    const std::vector<std::size_t> best = best_of(singles, deepened(problem).singles);
     in_parallel(best.size(), settings.threads,
                 [&](std::size_t k) { deepen(problem, *whiten, singles[best[k]], &base); });
     // An effect's fit may have found a better place for the base parameters, too.
@@ -67,8 +70,7 @@ void Judge::fit_singles() {
 
 void Judge::fit_pairs() {
     pairs = pairs_of(problem, *whiten, singles, 4, 10, settings.threads);
-    const std::vector<std::size_t> best =
-        best_of(pairs, drops(problem) ? pairs_worth_deepening_drops : worth_deepening);
+    const std::vector<std::size_t> best = best_of(pairs, deepened(problem).pairs);
     in_parallel(best.size(), settings.threads,
                 [&](std::size_t k) { deepen(problem, *whiten, pairs[best[k]], nullptr); });
     drop_idle(pairs, singles);

@@ -254,8 +254,8 @@ Separation separation(const Skeleton& sk, const World& truth, const std::vector<
 }
 
 Separation pair_separation(const Skeleton& sk, const World& truth, int first) {
-    const std::vector<std::size_t> list = all_experiments(sk);
-    const Eigen::VectorXd wanted = predict(truth, sk.truth);
+    const std::vector<std::size_t> list = with_role(sk, false);
+    const Eigen::VectorXd wanted = predict(truth, chosen(sk.truth, list));
     const std::vector<Term> all = terms(sk.stated, sk.physics);
     const double own = penalty_of_truth(sk, list);
     const Fit begin = base_fit(sk, list, wanted);

@@ -147,7 +147,7 @@ bool conceal_outside(Draft& d, const Plan& plan, Dice& dice) {
     dial->turn(d.world, *strength);
     const Mismatch m = mismatch(d.sk, d.world);
     if (m.lambda < 25.0) return false;
-    if (separation(d.sk, d.world, {}, 5.0).d < 5.0) return false;
+    if (separation(d.sk, d.world, {}, 5.0, with_role(d.sk, false)).d < 5.0) return false;
     d.key.outside = to_string(kind);
     return true;
 }
