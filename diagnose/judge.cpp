@@ -75,10 +75,9 @@ void Judge::fit_pairs() {
                 [&](std::size_t k) { deepen(problem, *whiten, pairs[best[k]], nullptr); });
     drop_idle(pairs, singles);
     // What one effect alone leaves looks like noise with a correlation: with two there may be none.
-    const auto cost = [](const Candidate& c) { return c.fit.objective(); };
     double single = base.fit.objective(), two = single;
-    for (const Candidate& c : singles) single = std::min(single, cost(c));
-    for (const Candidate& c : pairs) two = std::min(two, cost(c));
+    for (const Candidate& c : singles) single = std::min(single, c.fit.objective());
+    for (const Candidate& c : pairs) two = std::min(two, c.fit.objective());
     if (two > single - much) return;
     for (int k = 0; k < 2; ++k) {
         estimate_noise();
