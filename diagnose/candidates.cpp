@@ -41,6 +41,14 @@ std::size_t places_of(const Term& term, std::size_t at_least) {
     return term.unknowns.size() > 1 ? 3 * at_least : at_least + 1;
 }
 
+// The first, and as further minima those of the others that are nearly as deep.
+void take_first(std::vector<Fit> fits, Candidate& c) {
+    for (std::size_t k = 1; k < fits.size(); ++k)
+        if (fits[k].objective() < fits[0].objective() + nearly_as_deep)
+            c.modes.push_back(fits[k].theta);
+    c.fit = std::move(fits.front());
+}
+
 // The best of fits from all places, and the other minima: where there are many places, short fits first.
 void fit_from(const Footing& on, const std::vector<VectorXd>& places, int iterations,
               Candidate& c) {
@@ -70,10 +78,7 @@ void fit_from(const Footing& on, const std::vector<VectorXd>& places, int iterat
     }
     std::stable_sort(fits.begin(), fits.end(),
                      [](const Fit& a, const Fit& b) { return a.objective() < b.objective(); });
-    for (std::size_t k = 1; k < fits.size(); ++k)
-        if (fits[k].objective() < fits[0].objective() + nearly_as_deep)
-            c.modes.push_back(fits[k].theta);
-    c.fit = std::move(fits.front());
+    take_first(std::move(fits), c);
 }
 
 // A vibration has as many minima as bounces allow: it is followed in time from many places.
@@ -91,10 +96,7 @@ void fit_vibration(const Footing& on, const std::vector<VectorXd>& places, Candi
         fits.push_back(fit(on.problem, on.whiten, c.h, ends[k].theta, false, 25));
     std::stable_sort(fits.begin(), fits.end(),
                      [](const Fit& a, const Fit& b) { return a.log_evidence > b.log_evidence; });
-    for (std::size_t k = 1; k < fits.size(); ++k)
-        if (fits[k].objective() < fits[0].objective() + nearly_as_deep)
-            c.modes.push_back(fits[k].theta);
-    c.fit = std::move(fits.front());
+    take_first(std::move(fits), c);
 }
 
 }  // namespace
