@@ -35,6 +35,19 @@ VectorXd clipped(const std::vector<Unknown>& list, VectorXd u) {
     return u;
 }
 
+// Of each record, how many of its first rows hold all that have a weight.
+std::vector<std::size_t> rows_with_weight(const Problem& p, const VectorXd& weight) {
+    std::vector<std::size_t> rows;
+    for (const Record& r : p.records) {
+        std::size_t last = 0;
+        for (const Channel& c : r.channels)
+            for (std::size_t k = c.recorded.size(); k > last; --k)
+                if (weight[static_cast<Index>(c.first + k - 1)] != 0.0) last = k;
+        rows.push_back(last);
+    }
+    return rows;
+}
+
 struct Solver {
     const Problem& problem;
     const Whitener& whiten;
@@ -42,9 +55,10 @@ struct Solver {
     VectorXd weight;  // [size], 0 or 1
     const VectorXd& recorded;
     Index held = -1;  // an unknown that stays where it is
+    std::vector<std::size_t> rows = rows_with_weight(problem, weight);
 
     VectorXd predict(const VectorXd& u, int only = -1) const {
-        return predicted(problem, h, to_theta(h.unknowns, u), only);
+        return predicted(problem, h, to_theta(h.unknowns, u), only, rows);
     }
     VectorXd white(const VectorXd& prediction) const {
         VectorXd r = recorded - prediction;

@@ -260,17 +260,21 @@ Instrument instrument_at(const Hypothesised& h, const Eigen::VectorXd& theta,
 }  // namespace
 
 Eigen::VectorXd predicted(const Problem& p, const Hypothesised& h, const Eigen::VectorXd& theta,
-                          int only) {
+                          int only, const std::vector<std::size_t>& rows) {
     Eigen::VectorXd y = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(p.size));
     for (std::size_t j = 0; j < p.records.size(); ++j) {
         if (only >= 0 && static_cast<std::size_t>(only) != j) continue;
         const Record& r = p.records[j];
+        if (!rows.empty() && rows[j] == 0) continue;
         const Instrument i = instrument_at(h, theta, r);
+        const bool shortened =
+            !rows.empty() && r.ordinate == "t" && rows[j] < r.ordinates.at.size();
         rigs::Curves curves;
-        if (i.time_factor == 1.0) {
+        if (i.time_factor == 1.0 && !shortened) {
             curves = r.model->predict(world_at(p, h, theta, r), r.ordinates);
         } else {
             rigs::Ordinates at = r.ordinates;
+            if (shortened) at.at.resize(rows[j]);
             for (double& t : at.at) t /= i.time_factor;
             curves = r.model->predict(world_at(p, h, theta, r), at);
         }

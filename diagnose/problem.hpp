@@ -58,9 +58,10 @@ struct Problem {
 Problem problem_of(const cases::Case&, bool held_out = false);
 
 // The long vector that the hypothesis predicts at theta [unknowns], 0 where the rig has no answer. `only` < 0: all records, else
-// this one (the rest 0).
+// this one (the rest 0). `rows` [records]: of a recording over time only so many of its first rows are asked for, of any no row
+// where 0; empty: all.
 Eigen::VectorXd predicted(const Problem&, const Hypothesised&, const Eigen::VectorXd& theta,
-                          int only = -1);
+                          int only = -1, const std::vector<std::size_t>& rows = {});
 
 // The rows of one record in a long vector, 0 elsewhere.
 Eigen::VectorXd rows_of(const Problem&, std::size_t record, const Eigen::VectorXd&);

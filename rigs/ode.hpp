@@ -54,7 +54,7 @@ class Ode {
     }
 
   private:
-    static constexpr double tolerance = 1e-9;
+    static constexpr double tolerance = 1e-8;
     Rates rates_;
     double t_, h_;
     Unknowns<n> y_, small_, k1_;

@@ -95,6 +95,19 @@ struct NormalMotion {
 
 }  // namespace
 
+void OneContact::Profile::resize(std::size_t nodes) {
+    for (auto* list : {&dt, &cap, &stiffness, &shrunk, &gain, &yields, &reach})
+        list->assign(nodes, 0.0);
+}
+
+void OneContact::Profile::set_spring(std::size_t k, double of, double dashpot, double left) {
+    const double half = 0.5 * dt[k];
+    stiffness[k] = of, shrunk[k] = left;
+    gain[k] = of * half + dashpot;
+    yields[k] = 1.0 / (1.0 + 3.5 * half * gain[k]);
+    reach[k] = of > 0.0 ? cap[k] / of : 0.0;
+}
+
 OneContact::OneContact(const OneGrain& g)
     : grain_(g), weight_(std::abs(g.gravity) * g.resting_overlap(g.mass * std::abs(g.gravity))) {}
 
@@ -143,17 +156,15 @@ void OneContact::sample_impact(double e) {
     const double spring = 6.0 * g.stiffness_ratio * g.g_star / g.e_star * elastic;
     const double factor = contact::DampingTsuji1992::from(e).factor;
     Profile& p = profile_;
-    for (auto* list : {&p.dt, &p.cap, &p.stiffness, &p.dashpot, &p.shrunk})
-        list->assign(intervals + 1, 0.0);
+    p.resize(intervals + 1);
     double before = 0.0;
     for (std::size_t k = 0; k <= intervals; ++k) {
         const double root = table.root[k] * std::exp(-0.2 * loss_ * table.phase[k]);  // d^(1/4)
         const double a = root * root;
         p.cap[k] = elastic * a * a * a;
-        p.stiffness[k] = spring * a;
-        p.dashpot[k] = factor * std::sqrt(spring) * root;
-        p.shrunk[k] = before > 0.0 ? std::min(1.0, a / before) : 1.0;
         p.dt[k] = table.time[k] * std::exp(0.2 * loss_ * table.middle[k]);
+        p.set_spring(k, spring * a, factor * std::sqrt(spring) * root,
+                     before > 0.0 ? std::min(1.0, a / before) : 1.0);
         before = a;
     }
     p.impulse = 0.0;
@@ -186,16 +197,16 @@ void OneContact::slide_and_stick(double unit, Rebound& out) const {
     for (std::size_t k = 1; k < p.dt.size(); ++k) {
         const double slip = v - w, dt = p.dt[k], half = 0.5 * dt;
         if (depends) mu = friction.at(std::abs(slip) * unit);
-        const double limit = mu * p.cap[k], stiffness = p.stiffness[k], q = 3.5 * half;
+        const double limit = mu * p.cap[k], q = 3.5 * half;
         const double kept = p.shrunk[k] * (spring + half * slip);  // and what has slipped so far
-        const double start = stiffness * kept, gain = stiffness * half + p.dashpot[k];
-        double after = (slip - q * (force + start)) / (1.0 + q * gain);
-        double next = start + gain * after;
+        const double start = p.stiffness[k] * kept;
+        double after = (slip - q * (force + start)) * p.yields[k];
+        double next = start + p.gain[k] * after;
         if (std::abs(next) > limit) {
             next = next > 0.0 ? limit : -limit;
             after = slip - q * (force + next);
         }
-        const double reach = stiffness > 0.0 ? limit / stiffness : 0.0;
+        const double reach = mu * p.reach[k];
         spring = std::clamp(kept + half * after, -reach, reach);
         const double impulse = half * (force + next);
         v -= impulse, w += 2.5 * impulse, force = next;
@@ -244,8 +255,7 @@ void OneContact::tear_off(const Approach& in, Rebound& out) {
     out.duration = end;
     Profile& p = profile_;
     sampled_.reset();
-    for (auto* list : {&p.dt, &p.cap, &p.stiffness, &p.dashpot, &p.shrunk})
-        list->assign(intervals + 1, 0.0);
+    p.resize(intervals + 1);
     times_.resize(intervals + 1), overlaps_.resize(intervals + 1);
     p.impulse = 0.0;
     double before = 0.0;
@@ -259,9 +269,8 @@ void OneContact::tear_off(const Approach& in, Rebound& out) {
         const double stiffness = g.stiffness_ratio * 8.0 * g.g_star * state.contact_radius / g.mass;
         p.dt[k] = k == 0 ? 0.0 : end / intervals;
         p.cap[k] = std::max(0.0, state.force + 2.0 * pull_off) / g.mass;
-        p.stiffness[k] = stiffness;
-        p.dashpot[k] = factor * std::sqrt(stiffness);
-        p.shrunk[k] = before > 0.0 ? std::min(1.0, state.contact_radius / before) : 1.0;
+        p.set_spring(k, stiffness, factor * std::sqrt(stiffness),
+                     before > 0.0 ? std::min(1.0, state.contact_radius / before) : 1.0);
         before = state.contact_radius;
         if (k > 0) p.impulse += 0.5 * p.dt[k] * (p.cap[k] + p.cap[k - 1]);
     }

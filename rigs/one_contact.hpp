@@ -44,9 +44,15 @@ class OneContact {
         std::vector<double> dt;         // [nodes]: from the node before; 0 for the first
         std::vector<double> cap;        // what friction multiplies
         std::vector<double> stiffness;  // of Mindlin's spring
-        std::vector<double> dashpot;
-        std::vector<double> shrunk;  // contact radius over that of the node before, at most 1
-        double impulse = 0.0;        // of cap, in all, by the same rule as that of friction
+        std::vector<double> shrunk;     // contact radius over that of the node before, at most 1
+        std::vector<double> gain;       // force per slip at the end of the step: spring and dashpot
+        std::vector<double> yields;     // 1/(1 + 7/2 dt/2 gain): what the step leaves of a slip
+        std::vector<double> reach;      // cap over stiffness; 0 where there is none
+        double impulse = 0.0;           // of cap, in all, by the same rule as that of friction
+
+        void resize(std::size_t nodes);
+        // Node k, of which `dt` and `cap` are known.
+        void set_spring(std::size_t k, double of, double dashpot, double left);
     };
 
     void drive_apart(const Approach&, Rebound&);  // closed form
