@@ -154,50 +154,59 @@ std::vector<Candidate> pairs_of(const Problem& p, const Whitener& w,
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return singles[a].log_evidence > singles[b].log_evidence;
     });
-    struct Pair {
+    // A fit of the two begins in that of one of them, where the other is added.
+    struct Way {
         std::size_t start, added;
+        std::vector<VectorXd> own{};  // where it begins
+    };
+    struct Pair {
+        std::vector<Way> ways;
         double chi_squared = std::numeric_limits<double>::max();
-        std::vector<VectorXd> own{};  // where its fit begins
     };
     std::vector<Pair> list;
-    // Each two once, from the better of them; a vibration beside the two best others, since alone it may have found another
-    // frequency.
+    // Each two once; a vibration beside the two best others, since alone it may have found another frequency.
     const auto effect = [&](std::size_t rank) { return singles[order[rank]].h.terms[0]->effect; };
     std::size_t others = 0;
     for (std::size_t a = 0; a < std::min(beam, order.size()); ++a) {
         others += effect(a) != "vibration";
         for (std::size_t b = 0; b < order.size(); ++b)
             if (effect(a) != effect(b) &&
-                (effect(b) == "vibration" ? others <= 2 : b >= beam || b > a))
-                list.push_back({order[a], order[b]});
+                (effect(b) == "vibration" ? others <= 2 : b >= beam || b > a)) {
+                list.push_back({{{order[a], order[b]}}});
+                if (effect(a) != "vibration" && effect(b) != "vibration")
+                    list.back().ways.push_back({order[b], order[a]});
+            }
     }
     in_parallel(list.size(), threads, [&](std::size_t k) {
-        Pair& pair = list[k];
-        const Candidate& start = singles[pair.start];
-        const Term& term = *singles[pair.added].h.terms[0];
-        const auto own = static_cast<Index>(term.unknowns.size());
-        const Starts starts =
-            starts_beside({p, w, start.h, start.fit}, term,
-                          to_u(term.unknowns, singles[pair.added].fit.theta.tail(own)));
-        if (starts.best_first.empty()) return;
-        pair.chi_squared =
-            starts.best_first.front().first + start.fit.penalty + 3.0 * static_cast<double>(own);
-        pair.own = distinct(term, starts, term.effect == "vibration" ? 8 : places_of(term, 1));
+        for (Way& way : list[k].ways) {
+            const Candidate& start = singles[way.start];
+            const Term& term = *singles[way.added].h.terms[0];
+            const auto own = static_cast<Index>(term.unknowns.size());
+            const Starts starts =
+                starts_beside({p, w, start.h, start.fit}, term,
+                              to_u(term.unknowns, singles[way.added].fit.theta.tail(own)));
+            if (starts.best_first.empty()) continue;
+            list[k].chi_squared =
+                std::min(list[k].chi_squared, starts.best_first.front().first + start.fit.penalty +
+                                                  3.0 * static_cast<double>(own));
+            way.own = distinct(term, starts, term.effect == "vibration" ? 8 : places_of(term, 1));
+        }
+        std::erase_if(list[k].ways, [](const Way& way) { return way.own.empty(); });
     });
     std::stable_sort(list.begin(), list.end(),
                      [](const Pair& a, const Pair& b) { return a.chi_squared < b.chi_squared; });
     list.resize(std::min(list.size(), most));
-    std::erase_if(list, [](const Pair& pair) {
-        return pair.chi_squared == std::numeric_limits<double>::max();
-    });
+    std::erase_if(list, [](const Pair& pair) { return pair.ways.empty(); });
     std::vector<Candidate> pairs(list.size());
     in_parallel(list.size(), threads, [&](std::size_t k) {
-        const Candidate& start = singles[list[k].start];
-        const Term& term = *singles[list[k].added].h.terms[0];
-        Candidate c{.h = plus(p, start.h, term), .fit = {}};
-        fit_from({p, w, start.h, start.fit}, list[k].own, 15, c);
-        c.log_evidence = c.fit.log_evidence;
-        pairs[k] = std::move(c);
+        for (const Way& way : list[k].ways) {
+            const Candidate& start = singles[way.start];
+            Candidate c{.h = plus(p, start.h, *singles[way.added].h.terms[0]), .fit = {}};
+            fit_from({p, w, start.h, start.fit}, way.own, 15, c);
+            c.log_evidence = c.fit.log_evidence;
+            if (pairs[k].h.terms.empty() || c.log_evidence > pairs[k].log_evidence)
+                pairs[k] = std::move(c);
+        }
     });
     return pairs;
 }

@@ -15,9 +15,10 @@
 namespace diagnose {
 namespace {
 
-constexpr double far_apart = 3.0;   // sigma between two hypotheses that recordings can tell apart
-constexpr double sure = 0.75;       // probability at which rivals that far apart are out
-constexpr double close_odds = 3.0;  // log odds of a rival that stands while the winner is not sure
+constexpr double far_apart = 3.0;    // sigma between two hypotheses that recordings can tell apart
+constexpr double sure = 0.75;        // probability at which rivals that far apart are out
+constexpr double sure_of_two = 0.9;  // the same of two effects: their look-alikes are many
+constexpr double close_odds = 3.0;   // log odds of a rival that stands while the winner is not sure
 constexpr double negligible_odds = 14.0;
 constexpr std::size_t most_alike = 3;  // hypotheses that a next experiment is to tell apart
 
@@ -60,10 +61,18 @@ class Decision {
     std::map<const Group*, double> own_p_;
     std::vector<const Group*> rivals_;  // nearest first
 
+    // It leaves no mismatch, and one value of each of its parameters serves all recordings.
     bool explains(const Group& g, int draws) {
-        const auto known = own_p_.find(&g);
-        if (known != own_p_.end()) return known->second >= own_level;
-        return (own_p_[&g] = j_.own_p(*g.best, draws)) >= own_level;
+        if (const auto known = own_p_.find(&g); known == own_p_.end())
+            own_p_[&g] = j_.own_p(*g.best, draws);
+        if (own_p_[&g] < own_level) return false;
+        for (std::size_t k = 0; k < g.best->h.terms.size(); ++k)
+            for (const Gate& gate :
+                 gates({j_.problem, *j_.whiten, j_.base, *g.best, own_p_[&g], std::nan("")}, k))
+                if ((gate.name == "regimes" || gate.name == "scaling") &&
+                    gate.result == GateResult::failed)
+                    return false;
+        return true;
     }
 
     // Of most weight among those that pass their own test of mismatch; the best few are asked.
@@ -88,14 +97,16 @@ class Decision {
         for (const Group& g : groups_) {
             if (&g == winner_ || is_unknown(g) || contains(g.effects, winner_->effects)) continue;
             const double behind = winner_->log_weight - g.log_weight;
-            if (behind > negligible_odds) continue;
             const bool near_in_odds = behind < close_odds;
+            // Other two are too many for all of them to be 3 sigma away: odds alone must do.
+            const bool two = winner_->effects.size() == 2, both_two = two && g.effects.size() == 2;
+            if (behind > negligible_odds || (both_two && !near_in_odds)) continue;
             if (g.effects.empty()) {  // chance
                 if (near_in_odds) list.push_back({0.0, &g});
                 continue;
             }
             const double apart = separation(both, w, truth, carried_over(both, *g.best));
-            const bool close = near_in_odds && winner_->probability < sure;
+            const bool close = near_in_odds && winner_->probability < (two ? sure_of_two : sure);
             if (close || (apart < far_apart && explains(g, 399))) list.push_back({apart, &g});
         }
         std::stable_sort(list.begin(), list.end(),

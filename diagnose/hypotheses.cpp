@@ -12,6 +12,19 @@ namespace {
 // Prior over hypotheses, before any recording is seen (docs/diagnose.md).
 constexpr double prior_none = 0.35, prior_unknown = 0.07, prior_singles = 0.53, prior_pairs = 0.05;
 
+// Log evidence of the strengths of an effect that would show. Where its fit gains little, Laplace's integral counts those that
+// would not, too: it is at most the likelihood of the fit over an e-fold of the strength, or over all that would show.
+double shown(const Candidate& c, const Candidate& base) {
+    const Unknown* strength = c.h.terms.size() == 1 && !c.h.terms.front()->unknowns.empty()
+                                  ? &c.h.terms.front()->unknowns.front()
+                                  : nullptr;
+    if (!strength || strength->prior != Prior::log_uniform) return c.log_evidence;
+    const double share = std::min(1.0 - c.unseen, 1.0 / std::log(strength->high / strength->low));
+    const double gain = std::max(0.0, base.fit.objective() - c.fit.objective());
+    return std::min(c.fit.log_evidence,
+                    base.fit.log_evidence + 0.5 * gain + std::log(std::max(share, 1e-6)));
+}
+
 }  // namespace
 
 std::vector<Group> groups_of(const Judge& j) {
@@ -36,6 +49,7 @@ std::vector<Group> groups_of(const Judge& j) {
     const double singles = static_cast<double>(std::max<std::size_t>(1, names.size()));
     const double all_pairs = std::max(1.0, 0.5 * singles * (singles - 1.0));
     std::vector<Group> list;
+    double prior_hidden = 0.0;  // of effects too weak to show: to these recordings they are none
     for (const auto& [effects, candidates] : sorted) {
         Group g{.effects = effects};
         const bool unknown = effects == std::vector<std::string>{"unknown"};
@@ -45,11 +59,15 @@ std::vector<Group> groups_of(const Judge& j) {
                                                    : prior_pairs / all_pairs;
         for (const Candidate* c : candidates) {
             if (!g.best || c->log_evidence > g.best->log_evidence) g.best = c;
-            g.log_weight = log_sum(g.log_weight, c->log_evidence);
+            g.log_weight = log_sum(g.log_weight, shown(*c, j.base));
+            if (effects.size() == 1 && !unknown)
+                prior_hidden += prior * c->unseen / static_cast<double>(candidates.size());
         }
         g.log_weight += std::log(prior) - std::log(static_cast<double>(candidates.size()));
         list.push_back(std::move(g));
     }
+    for (Group& g : list)
+        if (g.effects.empty()) g.log_weight += std::log1p(prior_hidden / prior_none);
     double all = -1e300;
     for (const Group& g : list) all = log_sum(all, g.log_weight);
     for (Group& g : list) g.probability = std::exp(g.log_weight - all);

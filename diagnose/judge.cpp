@@ -19,16 +19,19 @@ namespace {
 constexpr double much =
     25.0;  // chi squared by which two effects do better than one: the noise is looked at again
 
-// How many singles of most evidence, and pairs, go on to deeper minima: bounces and micro-slip take their time.
-struct Deepened {
-    std::size_t singles, pairs;
+// How many singles of most evidence, and pairs, go on to deeper minima, how many singles are paired with all others and how many
+// pairs are fitted: bounces and micro-slip take their time.
+struct Effort {
+    std::size_t singles, pairs, beam, fitted;
 };
-Deepened deepened(const Problem& p) {
+Effort effort(const Problem& p) {
     const auto any = [&](const char* rig) {
         return std::any_of(p.records.begin(), p.records.end(),
                            [&](const Record& r) { return r.experiment->rig == rig; });
     };
-    return any("drop") ? Deepened{3, 1} : any("impact") ? Deepened{8, 1} : Deepened{10, 10};
+    return any("drop")     ? Effort{3, 1, 4, 10}
+           : any("impact") ? Effort{8, 1, 6, 20}
+                           : Effort{10, 10, 8, 40};
 }
 
 std::vector<std::size_t> best_of(const std::vector<Candidate>& list, std::size_t most) {
@@ -53,7 +56,7 @@ void Judge::fit_singles() {
     singles.assign(terms.size(), {});
     in_parallel(terms.size(), settings.threads,
                 [&](std::size_t k) { singles[k] = extended(problem, *whiten, base, terms[k]); });
-    const std::vector<std::size_t> best = best_of(singles, deepened(problem).singles);
+    const std::vector<std::size_t> best = best_of(singles, effort(problem).singles);
     in_parallel(best.size(), settings.threads,
                 [&](std::size_t k) { deepen(problem, *whiten, singles[best[k]], &base); });
     // An effect's fit may have found a better place for the base parameters, too.
@@ -69,8 +72,9 @@ void Judge::fit_singles() {
 }
 
 void Judge::fit_pairs() {
-    pairs = pairs_of(problem, *whiten, singles, 4, 10, settings.threads);
-    const std::vector<std::size_t> best = best_of(pairs, deepened(problem).pairs);
+    const Effort most = effort(problem);
+    pairs = pairs_of(problem, *whiten, singles, most.beam, most.fitted, settings.threads);
+    const std::vector<std::size_t> best = best_of(pairs, most.pairs);
     in_parallel(best.size(), settings.threads,
                 [&](std::size_t k) { deepen(problem, *whiten, pairs[best[k]], nullptr); });
     drop_idle(pairs, singles);
@@ -149,12 +153,14 @@ double Judge::p_of_best_gain() const {
 
 double Judge::own_p(const Candidate& c, int n) const { return test(c, n).p_value; }
 
-// Whether the effect of most evidence leaves nothing to a second one: it passes its own test of mismatch and all gates.
+// Whether the effect of most evidence leaves nothing to a second one: it passes its own test of mismatch and all gates, and no
+// force that nobody has named does better.
 bool Judge::one_is_enough() const {
     const auto best = std::max_element(
         singles.begin(), singles.end(),
         [](const Candidate& a, const Candidate& b) { return a.log_evidence < b.log_evidence; });
     if (best == singles.end()) return false;
+    if (!forces.empty() && forces.front().log_evidence > best->log_evidence) return false;
     const double p = own_p(*best, 399);
     return p >= 0.05 && passes(gates({problem, *whiten, base, *best, p, std::nan("")}, 0));
 }

@@ -43,7 +43,7 @@ std::vector<std::vector<double>> starts_of(const std::vector<const Term*>& terms
     return all;
 }
 
-// Values of the term's unknowns over their ranges: 24 for one unknown, some 70 for two, some 100 for a vibration.
+// Values of a term's unknowns over their ranges: 24 for one unknown, some 70 for two, some 100 for a vibration.
 std::vector<std::vector<double>> grid_of(const Term& t) {
     std::vector<std::vector<double>> grid{{}};
     for (std::size_t k = 0; k < t.unknowns.size(); ++k) {
@@ -113,46 +113,7 @@ double penalty_of_truth(const Skeleton& sk, const std::vector<std::size_t>& list
     return sum;
 }
 
-World started(const Skeleton& sk) {
-    World w = sk.world;
-    for (const Stated& p : sk.parameters) w.*p.place = p.free ? p.truth : p.start;
-    return w;
-}
-
-// The user's model fitted from where it starts, and from the best places of a grid over its free parameters: bounces that are
-// out of step hold a fit in one of many minima.
-Fit least_base(const Skeleton& sk, const std::vector<std::size_t>& list,
-               const Eigen::VectorXd& wanted) {
-    constexpr int points = 9;
-    constexpr std::size_t few = 3;
-    const std::vector<Setup> setups = chosen(sk.stated, list);
-    const std::vector<Unknown> unknowns = base_unknowns(sk, list);
-    Fit best = fit(started(sk), setups, unknowns, sk.noise, wanted);
-    std::vector<World> grid{started(sk)};
-    for (const Unknown& u : unknowns) {
-        if (u.in_world == nullptr) continue;
-        std::vector<World> finer;
-        for (const World& w : grid)
-            for (int k = 0; k < points; ++k) {
-                const double share = (k + 0.5) / points;
-                finer.push_back(w);
-                finer.back().*u.in_world = u.logarithmic ? u.low * std::pow(u.high / u.low, share)
-                                                         : u.low + share * (u.high - u.low);
-            }
-        if (finer.size() <= points * points) grid = std::move(finer);
-    }
-    if (grid.size() == 1) return best;
-    std::vector<std::pair<double, std::size_t>> order;
-    for (std::size_t k = 0; k < grid.size(); ++k)
-        order.emplace_back(
-            whitened(setups, sk.noise, wanted - predict(grid[k], setups)).squaredNorm(), k);
-    std::sort(order.begin(), order.end());
-    for (std::size_t k = 0; k < std::min(few, order.size()); ++k) {
-        Fit f = fit(grid[order[k].second], setups, unknowns, sk.noise, wanted);
-        if (f.chi2 + f.penalty < best.chi2 + best.penalty) best = std::move(f);
-    }
-    return best;
-}
+double cost(const Fit& f) { return f.chi2 + f.penalty; }
 
 }  // namespace
 
@@ -185,18 +146,13 @@ Mismatch mismatch(const Skeleton& sk, const World& truth, std::vector<std::size_
     if (list.empty()) list = with_role(sk, false);
     const std::vector<Setup> stated = chosen(sk.stated, list);
     const Eigen::VectorXd wanted = predict(truth, chosen(sk.truth, list));
-    Mismatch m{least_base(sk, list, wanted), {}, {}, 0, 0, 0};
+    Mismatch m{base_fit(sk, list, wanted), {}, {}, 0, 0, 0};
     m.residual = wanted - predict(m.base.world, m.base.setups);
     m.whitened = whitened(stated, sk.noise, m.residual);
     m.n_eff = effective_count(stated, sk.noise);
     m.lambda = m.whitened.squaredNorm();
     m.idr = std::sqrt(m.lambda / m.n_eff);
     return m;
-}
-
-Fit base_fit(const Skeleton& sk, const std::vector<std::size_t>& list,
-             const Eigen::VectorXd& wanted) {
-    return least_base(sk, list, wanted);
 }
 
 Fit fit_from(const Skeleton& sk, const std::vector<const Term*>& terms,
@@ -217,8 +173,8 @@ Fit fit_from(const Skeleton& sk, const std::vector<const Term*>& terms,
             first = last;
         }
         Fit f = fit(w, setups, unknowns, sk.noise, wanted, tries, 1e-3);
-        if (f.chi2 + f.penalty < least) {
-            least = f.chi2 + f.penalty;
+        if (cost(f) < least) {
+            least = cost(f);
             best = std::move(f);
         }
     }
@@ -246,7 +202,7 @@ Separation separation(const Skeleton& sk, const World& truth, const std::vector<
             for (std::vector<double>& more : best_of_grid(sk, t, wanted, begin, 3))
                 starts.push_back(std::move(more));
         const Fit f = fit_from(sk, {&t}, list, wanted, begin, starts, 12);
-        const double d = std::sqrt(std::max(0.0, f.chi2 + f.penalty - own));
+        const double d = std::sqrt(std::max(0.0, cost(f) - own));
         if (d < best.d) best = {d, t.effect, t.channel};
         if (best.d < enough) break;
     }
@@ -262,7 +218,7 @@ Separation pair_separation(const Skeleton& sk, const World& truth, int first) {
     std::vector<std::pair<double, std::size_t>> singles;
     for (std::size_t k = 0; k < all.size(); ++k) {
         const Fit f = fit_with(sk, {&all[k]}, list, wanted, begin);
-        singles.emplace_back(f.chi2 + f.penalty, k);
+        singles.emplace_back(cost(f), k);
     }
     std::sort(singles.begin(), singles.end());
     Separation best{std::sqrt(std::max(0.0, singles.front().first - own)),
@@ -272,7 +228,7 @@ Separation pair_separation(const Skeleton& sk, const World& truth, int first) {
             const Term &one = all[singles[a].second], &other = all[b];
             if (&one == &other) continue;
             const Fit f = fit_with(sk, {&one, &other}, list, wanted, begin, 8);
-            const double d = std::sqrt(std::max(0.0, f.chi2 + f.penalty - own));
+            const double d = std::sqrt(std::max(0.0, cost(f) - own));
             if (d < best.d)
                 best = {d, one.effect + " + " + other.effect, one.channel + " + " + other.channel};
         }

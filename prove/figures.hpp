@@ -33,6 +33,10 @@ double likelihood_ratio_power(double lambda, int freedom);
 // beside `begin`, a fit of the base model to the same.
 Fit fit_with(const Skeleton&, const std::vector<const Term*>&, const std::vector<std::size_t>& list,
              const Eigen::VectorXd& wanted, const Fit& begin, int iterations = 12);
+
+// The user's model fitted to `wanted` from where it starts and from the best places of a grid over its free parameters, by all
+// rows and by early ones: bounces that are out of step, and a pull-off that comes between two others, hold a fit in one of many
+// minima.
 Fit base_fit(const Skeleton&, const std::vector<std::size_t>& list, const Eigen::VectorXd& wanted);
 
 struct Separation {

@@ -86,7 +86,7 @@ void tell_held_out(Draft& d, const Eigen::VectorXd& recordings) {
         return mean_nrmse(later, predict(f.world, by(user, held)), unseen);
     };
     const Fit oracle = fitted(d.world, unknowns, false);
-    const Fit base = fitted(d.sk.world, base_only, d.run.used);
+    const Fit base = d.run.used ? fitted(d.sk.world, base_only, true) : base_fit(d.sk, fits, seen);
     d.key.oracle_held_out = error(oracle, false);
     d.key.base_held_out = error(base, d.run.used);
     d.key.oracle_statistic = base.chi2 + base.penalty - oracle.chi2 - oracle.penalty;

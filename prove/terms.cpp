@@ -89,14 +89,15 @@ Term compliance() {
     t.micro_slip = true;
     return t;
 }
+// Gaussian about a level plate, as docs/diagnose.md says: somebody has looked at it.
 Term tilt(bool incline) {
-    if (incline)
-        return {
-            "tilt", "", {of_world("tilt_angle", &World::tilt_angle, -0.25, 0.25, false, {0.01})}};
+    Unknown angle = of_world("tilt_angle", &World::tilt_angle, incline ? -0.26 : 0.0, 0.26, false,
+                             {incline ? 0.01 : 0.03});
+    angle.deviation = 0.06;
+    if (incline) return {"tilt", "", {angle}};
     return {"tilt",
             "",
-            {of_world("tilt_angle", &World::tilt_angle, 0.0, 0.35, false, {0.03}),
-             of_world("tilt_azimuth", &World::tilt_azimuth, -pi, pi, false, {0.8, 2.3})}};
+            {angle, of_world("tilt_azimuth", &World::tilt_azimuth, -pi, pi, false, {0.8, 2.3})}};
 }
 Term vibration(double height) {
     return {"vibration",
