@@ -134,8 +134,8 @@ struct Solver {
             const VectorXd gradient =
                 j.transpose() * z.cwiseProduct(weight) - gradient_of_penalty(u);
             bool moved = false;
-            double gained = 0.0;
-            for (int tries = 0; tries < 8 && !moved; ++tries) {
+            double gained = 0.0, growth = 6.0;  // in five tries up to 80000 times
+            for (int tries = 0; tries < 5 && !moved; ++tries) {
                 const VectorXd trial = clipped(h.unknowns, u + step(normal, gradient, u, damping));
                 const VectorXd there = predict(trial), z_trial = white(there);
                 const double now = objective(z_trial, trial);
@@ -144,7 +144,7 @@ struct Solver {
                     u = trial, here = there, z = z_trial, best = now,
                     damping = std::max(damping * 0.2, 1e-9), moved = true;
                 } else {
-                    damping *= 6.0;
+                    damping *= growth, growth *= 2.0;
                 }
             }
             if (!moved || gained < 0.01 + 1e-6 * best) break;

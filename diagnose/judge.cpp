@@ -30,7 +30,7 @@ Effort effort(const Problem& p) {
                            [&](const Record& r) { return r.experiment->rig == rig; });
     };
     return any("drop")     ? Effort{3, 1, 4, 10}
-           : any("impact") ? Effort{8, 1, 6, 20}
+           : any("impact") ? Effort{8, 1, 5, 14}
                            : Effort{10, 10, 8, 40};
 }
 

@@ -50,7 +50,7 @@ struct Key {
         0.0;  // likelihood ratio on the recordings as they are, true term against none
     int oracle_freedom = 0;
     Separation separation{};
-    double pair_separation = 0.0;            // kind outside
+    double pair_separation = 0.0;            // kinds outside and pair
     std::vector<double> lambda_given_other;  // kind pair, in the order of effects
     std::vector<TrueInterval> intervals;
     int recorded_channels = 1;

@@ -209,7 +209,8 @@ Separation separation(const Skeleton& sk, const World& truth, const std::vector<
     return best;
 }
 
-Separation pair_separation(const Skeleton& sk, const World& truth, int first) {
+Separation pair_separation(const Skeleton& sk, const World& truth,
+                           const std::vector<std::string>& right, int first) {
     const std::vector<std::size_t> list = with_role(sk, false);
     const Eigen::VectorXd wanted = predict(truth, chosen(sk.truth, list));
     const std::vector<Term> all = terms(sk.stated, sk.physics);
@@ -226,7 +227,10 @@ Separation pair_separation(const Skeleton& sk, const World& truth, int first) {
     for (std::size_t a = 0; a < singles.size() && static_cast<int>(a) < first; ++a) {
         for (std::size_t b = 0; b < all.size(); ++b) {
             const Term &one = all[singles[a].second], &other = all[b];
-            if (&one == &other) continue;
+            const auto acts = [&](const Term& t) {
+                return std::find(right.begin(), right.end(), t.effect) != right.end();
+            };
+            if (&one == &other || (acts(one) && acts(other))) continue;
             const Fit f = fit_with(sk, {&one, &other}, list, wanted, begin, 8);
             const double d = std::sqrt(std::max(0.0, cost(f) - own));
             if (d < best.d)

@@ -47,9 +47,10 @@ struct Separation {
 // for where its fit begins. `list`: experiments, empty: all.
 Separation separation(const Skeleton&, const World& truth, const std::vector<std::string>& right,
                       double enough = 0.0, std::vector<std::size_t> list = {});
-// The least over pairs of terms, of which the first is among the best `first` singles, by the experiments with role fit: what a
-// judge may say of the catalogue, it has to see there.
-Separation pair_separation(const Skeleton&, const World& truth, int first = 4);
+// The least over single terms and pairs of terms, of which one is among the best `first` singles, by the experiments with role
+// fit: what a judge may say of the catalogue, it has to see there. `right`: two of these together are no wrong pair.
+Separation pair_separation(const Skeleton&, const World& truth,
+                           const std::vector<std::string>& right, int first = 4);
 
 struct TrueInterval {
     std::string experiment, channel, ordinate, unit;

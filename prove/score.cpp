@@ -145,6 +145,11 @@ void others(const std::vector<Judged>& all, std::vector<Line>& lines) {
     const auto both = [](const Judged& j) { return j.right(); };
     lines.push_back(share("two effects: both named", ">= 75 %", tally(all, pair, both), 0.75, 1.0));
     lines.push_back(share(
+        "  of these, no other two within D = 5", "",
+        tally(
+            all, [&](const Judged& j) { return pair(j) && j.key->pair_separation >= 5.0; }, both),
+        0.0, 1.0));
+    lines.push_back(share(
         "  of these, cancelling in the headline", "",
         tally(
             all, [&](const Judged& j) { return pair(j) && j.key->subkind == "cancelling"; }, both),

@@ -128,7 +128,8 @@ void tell(Draft& d, const Plan& plan) {
     for (const Term& t : d.terms) right.push_back(t.effect);
     if (plan.kind != Kind::pair) k.separation = separation(d.sk, d.world, right);
     if (plan.kind == Kind::pair) k.separation = separation(d.sk, d.world, {});
-    if (plan.kind == Kind::outside) k.pair_separation = pair_separation(d.sk, d.world).d;
+    if (plan.kind == Kind::outside || plan.kind == Kind::pair)
+        k.pair_separation = pair_separation(d.sk, d.world, right).d;
 }
 
 }  // namespace prove

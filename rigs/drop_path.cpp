@@ -67,8 +67,6 @@ After bounce(const DropWorld& world, OneContact& contact, DropState& s, DropRows
 
 }  // namespace
 
-double DropState::speed() const { return std::sqrt(vx * vx + vz * vz); }
-
 DropWorld::DropWorld(const OneGrain& g, const MissingForce* force, const cases::Numerics* how)
     : grain(&g),
       missing(force),

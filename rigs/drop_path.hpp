@@ -5,6 +5,7 @@
 
 #include "rigs/one_grain.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -24,7 +25,7 @@ struct DropState {
     double impact_speed =
         0.0;  // m/s, normal, relative to the plate, of the last impact; 0 before the first
     bool bridged = false;  // a liquid bridge holds
-    double speed() const;
+    double speed() const { return std::sqrt(vx * vx + vz * vz); }
 };
 
 struct DropPath {

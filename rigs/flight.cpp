@@ -98,6 +98,18 @@ double first_step(const DropWorld& world, const DropState& s) {
     return std::max(0.4 * std::max(s.vz > 0.0 ? rise : 0.0, 0.3 * fall), 1e-12);
 }
 
+// A step that misses no crest of the plate: a twentieth of a period where the plate may be, longer while the grain is above all
+// crests.
+double time_to_be_watched(const DropWorld& world, const DropState& s, bool newton) {
+    const OneGrain& g = *world.grain;
+    const double part = 0.05 * 2.0 * std::numbers::pi / g.vibration.omega;
+    if (s.z <= g.vibration.amplitude) return part;
+    const double drag =
+        g.drag.factor == 0.0 ? 0.0 : g.drag.resistance(s.speed(), newton) / g.mass * s.speed();
+    const double most = 1.1 * pull_at(world, s) + drag;
+    return std::max(part, time_down(s.z - g.vibration.amplitude, s.vz, most));
+}
+
 bool fly_by_steps(const DropWorld& world, DropState& s, DropRows& out) {
     const OneGrain& g = *world.grain;
     const bool dragged = g.drag.factor != 0.0, moving = g.vibration.amplitude > 0.0;
@@ -110,8 +122,7 @@ bool fly_by_steps(const DropWorld& world, DropState& s, DropRows& out) {
         if (!std::isfinite(s.z + s.vz + s.vx)) return false;
         const double horizon = std::max(out.rows.at.back() - s.t, 1e-12);
         double longest = horizon;
-        if (moving && s.z < 3.0 * g.vibration.amplitude)
-            longest = std::min(longest, 0.05 * 2.0 * std::numbers::pi / g.vibration.omega);
+        if (moving) longest = std::min(longest, time_to_be_watched(world, s, newton));
         if (first) longest = std::min(longest, first_step(world, s));
         const DropState start = s;
         const OdeStep<4> step = ode.step(longest);

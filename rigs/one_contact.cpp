@@ -96,7 +96,7 @@ struct NormalMotion {
 }  // namespace
 
 void OneContact::Profile::resize(std::size_t nodes) {
-    for (auto* list : {&dt, &cap, &stiffness, &shrunk, &gain, &yields, &reach})
+    for (auto* list : {&dt, &cap, &stiffness, &shrunk, &gain, &yields, &pulls, &reach})
         list->assign(nodes, 0.0);
 }
 
@@ -105,6 +105,7 @@ void OneContact::Profile::set_spring(std::size_t k, double of, double dashpot, d
     stiffness[k] = of, shrunk[k] = left;
     gain[k] = of * half + dashpot;
     yields[k] = 1.0 / (1.0 + 3.5 * half * gain[k]);
+    pulls[k] = 3.5 * half * yields[k] * of * left;
     reach[k] = of > 0.0 ? cap[k] / of : 0.0;
 }
 
@@ -194,25 +195,27 @@ void OneContact::slide_and_stick(double unit, Rebound& out) const {
         out.v = (v - impulse) * unit, out.w = (w + 2.5 * impulse) * unit;
         return;
     }
+    double slip = v - w;
     for (std::size_t k = 1; k < p.dt.size(); ++k) {
-        const double slip = v - w, dt = p.dt[k], half = 0.5 * dt;
+        const double half = 0.5 * p.dt[k], q = 3.5 * half;
         if (depends) mu = friction.at(std::abs(slip) * unit);
-        const double limit = mu * p.cap[k], q = 3.5 * half;
-        const double kept = p.shrunk[k] * (spring + half * slip);  // and what has slipped so far
-        const double start = p.stiffness[k] * kept;
-        double after = (slip - q * (force + start)) * p.yields[k];
-        double next = start + p.gain[k] * after;
+        const double limit = mu * p.cap[k], reach = mu * p.reach[k];
+        const double moved = spring + half * slip;  // and what has slipped so far
+        const double kept = p.shrunk[k] * moved;
+        double after = (slip - q * force) * p.yields[k] - p.pulls[k] * moved;
+        double next = p.stiffness[k] * kept + p.gain[k] * after;
         if (std::abs(next) > limit) {
             next = next > 0.0 ? limit : -limit;
             after = slip - q * (force + next);
         }
-        const double reach = mu * p.reach[k];
         spring = std::clamp(kept + half * after, -reach, reach);
         const double impulse = half * (force + next);
         v -= impulse, w += 2.5 * impulse, force = next;
+        slip = after;
         if (mu_r > 0.0) {
             const double brake = 2.5 * mu_r * half * (p.cap[k] + p.cap[k - 1]);
             w = w > 0.0 ? std::max(0.0, w - brake) : std::min(0.0, w + brake);
+            slip = v - w;
         }
     }
     out.v = v * unit, out.w = w * unit;

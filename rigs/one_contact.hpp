@@ -47,6 +47,7 @@ class OneContact {
         std::vector<double> shrunk;     // contact radius over that of the node before, at most 1
         std::vector<double> gain;       // force per slip at the end of the step: spring and dashpot
         std::vector<double> yields;     // 1/(1 + 7/2 dt/2 gain): what the step leaves of a slip
+        std::vector<double> pulls;      // what a stretch of the spring takes off the slip then
         std::vector<double> reach;      // cap over stiffness; 0 where there is none
         double impulse = 0.0;           // of cap, in all, by the same rule as that of friction
 
