@@ -170,7 +170,7 @@ Verdict diagnose(const cases::Case& stated, const Settings& settings,
             e.why.push_back(
                 fmt::format("Each recording predicted by what the others say: chi squared {:.0f} "
                             "in all with {}, {:.0f} without.",
-                            j.left_out_winner, chosen.name(), j.left_out_base));
+                            j.left_out_winner, plain_name(chosen.name()), j.left_out_base));
         for (const Gate& g : e.gates)
             if (g.result == GateResult::untestable)
                 v.warnings.push_back(fmt::format("{}: gate \"{}\" cannot be tested. {}",
@@ -181,7 +181,7 @@ Verdict diagnose(const cases::Case& stated, const Settings& settings,
             fmt::format("Recordings left out one at a time are predicted worse with {} (chi "
                         "squared {:.0f}) than without ({:.0f}): what it "
                         "needs may be known from one of them alone.",
-                        chosen.name(), j.left_out_winner, j.left_out_base));
+                        plain_name(chosen.name()), j.left_out_winner, j.left_out_base));
     j.report(0.97, "what was held out");
     cases::Case opened = given;
     open_held_out(opened);

@@ -151,6 +151,10 @@ struct Solver {
         }
         return u;
     }
+    Place place(const VectorXd& from, int iterations) const {
+        const VectorXd u = solve(from, iterations);
+        return {objective(white(predict(u)), u), u, to_theta(h.unknowns, u)};
+    }
     VectorXd step(const MatrixXd& normal, const VectorXd& gradient, const VectorXd& u,
                   double damping) const {
         std::vector<Index> open;
@@ -269,32 +273,17 @@ Fit fit(const Problem& p, const Whitener& w, const Hypothesised& h, const Vector
     return fit_to(p, w, h, p.recorded, start, staged, iterations);
 }
 
-double left_at(const Problem& p, const Whitener& w, const Hypothesised& h, const VectorXd& u,
-               const VectorXd& rows) {
-    const Solver s{p, w, h, rows, p.recorded};
-    const VectorXd inside = clipped(h.unknowns, u);
-    return s.objective(s.white(s.predict(inside)), inside);
-}
-
-VectorXd solved(const Problem& p, const Whitener& w, const Hypothesised& h, const VectorXd& u,
-                const VectorXd& rows, int iterations) {
-    return Solver{p, w, h, rows, p.recorded}.solve(clipped(h.unknowns, u), iterations);
-}
-
 Place descended(const Problem& p, const Whitener& w, const Hypothesised& h, const VectorXd& u,
-                int iterations) {
-    const Solver s{p, w, h, early_rows(p, 1.0), p.recorded};
-    const VectorXd end = s.solve(clipped(h.unknowns, u), iterations);
-    return {s.objective(s.white(s.predict(end)), end), to_theta(h.unknowns, end)};
+                int iterations, const VectorXd& rows) {
+    return Solver{p, w, h, rows.size() > 0 ? rows : early_rows(p, 1.0), p.recorded}.place(
+        clipped(h.unknowns, u), iterations);
 }
 
 Place fit_holding(const Problem& p, const Whitener& w, const Hypothesised& h, const VectorXd& theta,
                   Index k, double at, int iterations) {
     VectorXd u = to_u(h.unknowns, theta);
     u[k] = at;
-    const Solver s{p, w, h, early_rows(p, 1.0), p.recorded, k};
-    u = s.solve(u, iterations);
-    return {s.objective(s.white(s.predict(u)), u), to_theta(h.unknowns, u)};
+    return Solver{p, w, h, early_rows(p, 1.0), p.recorded, k}.place(u, iterations);
 }
 
 Fit fit_base(const Problem& p, const Whitener& w, const Hypothesised& h) {

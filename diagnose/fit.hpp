@@ -45,21 +45,13 @@ Fit fit_to(const Problem&, const Whitener&, const Hypothesised&, const Eigen::Ve
 
 // Where a fit has come to, and no more than that.
 struct Place {
-    double objective;
-    Eigen::VectorXd theta;
+    double objective;  // by the rows that it was fitted to
+    Eigen::VectorXd u, theta;
 };
 
-// The objective at u, by the rows that have a weight of 1.
-double left_at(const Problem&, const Whitener&, const Hypothesised&, const Eigen::VectorXd& u,
-               const Eigen::VectorXd& rows);
-
-// u after at most so many iterations on the rows that have a weight of 1.
-Eigen::VectorXd solved(const Problem&, const Whitener&, const Hypothesised&,
-                       const Eigen::VectorXd& u, const Eigen::VectorXd& rows, int iterations);
-
-// From u, at most so many iterations.
+// From u, at most so many iterations, on the rows [size] that have a weight of 1; empty: on all.
 Place descended(const Problem&, const Whitener&, const Hypothesised&, const Eigen::VectorXd& u,
-                int iterations);
+                int iterations, const Eigen::VectorXd& rows = {});
 
 // Unknown k stays at `at` (u), the others are refitted from `theta`.
 Place fit_holding(const Problem&, const Whitener&, const Hypothesised&,

@@ -2,6 +2,7 @@
 #include "diagnose/gates.hpp"
 
 #include "cases/rig_table.hpp"
+#include "diagnose/words.hpp"
 
 #include <Eigen/Cholesky>
 #include <fmt/format.h>
@@ -198,7 +199,7 @@ Gate placebo_gate(const GateInput& in, std::size_t which) {
     return {"placebo", better ? GateResult::passed : GateResult::failed,
             fmt::format("{} lowers chi squared by {:.0f}; the same signature run backwards or "
                         "shifted by {:.0f}.",
-                        in.winner.h.terms[which]->effect, gain, best)};
+                        plain_name(in.winner.h.terms[which]->effect), gain, best)};
 }
 
 Gate refinement_gate(const GateInput& in, std::size_t which) {

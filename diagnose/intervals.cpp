@@ -33,7 +33,7 @@ double bound(const Problem& p, const Whitener& w, const Candidate& c, Index k, d
         const double rise = std::sqrt(std::max(0.0, held.objective - c.fit.objective()));
         if (rise < deviations) {
             if (reach >= room) return best + side * room;
-            const VectorXd there = to_u(c.h.unknowns, held.theta);
+            const VectorXd& there = held.u;
             if (reach > inside) along = (there - here) / (reach - inside);
             inside = reach, rise_inside = rise, here = there;
         } else {

@@ -24,8 +24,7 @@ double left_out_misfit(const Problem& p, const Whitener& w, const Hypothesised& 
         for (Index k = 0; k < u.size(); ++k)
             if (h.unknowns[static_cast<std::size_t>(k)].experiment == p.records[j].experiment->id)
                 own.push_back(k), u[k] = 0.0;
-        u = solved(p, w, h, u, others, iterations);
-        const Fit f = evaluated(p, w, h, to_theta(h.unknowns, u));
+        const Fit f = evaluated(p, w, h, descended(p, w, h, u, iterations, others).theta);
         const VectorXd z = f.white.cwiseProduct(own_rows);
         sum += z.squaredNorm();
         if (own.empty()) continue;

@@ -14,6 +14,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+bool deeper(const Place& a, const Place& b) { return a.objective < b.objective; }
+
 bool has_range(const Unknown& x) { return x.prior != Prior::gaussian; }
 
 // u with each unknown in turn put to the middles of equal parts of its range.
@@ -55,30 +57,27 @@ Deeper deeper_minimum(const Problem& p, const Whitener& w, const Hypothesised& h
         std::vector<VectorXd> trials;
         along_ranges(h, u, trials);
         along_the_valley(best.fit, u, trials);
-        std::vector<std::pair<double, VectorXd>> ends;
+        std::vector<Place> ends;
         for (const VectorXd& trial : trials) {
             Place end = descended(p, w, h, trial, short_fit);
-            if (std::isfinite(end.objective))
-                ends.push_back({end.objective, to_u(h.unknowns, end.theta)});
+            if (std::isfinite(end.objective)) ends.push_back(std::move(end));
         }
-        std::stable_sort(ends.begin(), ends.end(),
-                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        std::stable_sort(ends.begin(), ends.end(), deeper);
         const double before = best.fit.objective(), evidence = best.fit.log_evidence;
         std::vector<VectorXd> tried{u};
-        for (const auto& [objective, end] : ends) {
-            if (tried.size() > fitted_out || objective > before + promising) break;
-            const bool fresh =
-                std::all_of(tried.begin(), tried.end(), [&, place = end](const VectorXd& other) {
-                    return (place - other).cwiseAbs().maxCoeff() > 0.01;
-                });
+        for (const Place& end : ends) {
+            if (tried.size() > fitted_out || end.objective > before + promising) break;
+            const bool fresh = std::all_of(tried.begin(), tried.end(), [&](const VectorXd& other) {
+                return (end.u - other).cwiseAbs().maxCoeff() > 0.01;
+            });
             if (!fresh) continue;
-            tried.push_back(end);
-            Fit f = fit(p, w, h, to_theta(h.unknowns, end), false, long_fit);
+            tried.push_back(end.u);
+            Fit f = fit(p, w, h, end.theta, false, long_fit);
             if (f.log_evidence > best.fit.log_evidence) {
-                best.left.push_back({best.fit.objective(), best.fit.theta});
+                best.left.push_back({best.fit.objective(), u, best.fit.theta});
                 best.fit = std::move(f);
             } else {
-                best.left.push_back({f.objective(), f.theta});
+                best.left.push_back({f.objective(), end.u, f.theta});
             }
         }
         if (best.fit.log_evidence < evidence + worth_a_round) break;
@@ -93,25 +92,21 @@ std::vector<Place> followed_in_time(const Problem& p, const Whitener& w, const H
     constexpr double goes_on = 0.7;  // of the places, those with the least left
     std::vector<Place> ends;
     for (const double first : {0.2, 0.5}) {
-        std::vector<std::pair<double, VectorXd>> places;
-        for (const VectorXd& u : from) places.push_back({0.0, u});
+        std::vector<Place> places;
+        for (const VectorXd& u : from) places.push_back({0.0, u, {}});
         for (double share = first; share < 0.95; share += 0.1) {
             const VectorXd rows = early_rows(p, share);
-            for (auto& [left, u] : places) {
-                u = solved(p, w, h, u, rows, short_fit);
-                left = left_at(p, w, h, u, rows);
-            }
-            std::erase_if(places, [](const auto& place) { return !std::isfinite(place.first); });
-            std::stable_sort(places.begin(), places.end(),
-                             [](const auto& a, const auto& b) { return a.first < b.first; });
+            for (Place& place : places) place = descended(p, w, h, place.u, short_fit, rows);
+            std::erase_if(places,
+                          [](const Place& place) { return !std::isfinite(place.objective); });
+            std::stable_sort(places.begin(), places.end(), deeper);
             const auto stay =
                 static_cast<std::size_t>(goes_on * static_cast<double>(places.size()));
             places.resize(std::min(places.size(), std::max(fewest, stay)));
         }
-        for (const auto& [left, u] : places) ends.push_back(descended(p, w, h, u, long_fit));
+        for (const Place& place : places) ends.push_back(descended(p, w, h, place.u, long_fit));
     }
-    std::stable_sort(ends.begin(), ends.end(),
-                     [](const Place& a, const Place& b) { return a.objective < b.objective; });
+    std::stable_sort(ends.begin(), ends.end(), deeper);
     return ends;
 }
 

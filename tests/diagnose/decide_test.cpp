@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// What counts as an explanation: charged grains over a plate, by Coulomb's law of the image charge.
+#include "cases/read_case.hpp"
+#include "diagnose/diagnose.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <random>
+#include <sstream>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+namespace {
+
+constexpr double radius = 1e-3, noise = 0.5e-6;  // m, N
+
+// One force curve out of contact for each charge (C), in the order of the list; the model knows of no charge.
+diagnose::Verdict verdict_on(const std::vector<double>& charges) {
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("similitude-decide-" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder);
+    std::mt19937_64 random(5);
+    std::normal_distribution<double> normal(0.0, noise);
+    std::ostringstream experiments;
+    for (std::size_t k = 0; k < charges.size(); ++k) {
+        const std::string id = "curve-" + std::to_string(k + 1);
+        std::ofstream table(folder / (id + ".csv"));
+        table << "separation [m],force [N],branch\n";
+        for (const bool back : {false, true})
+            for (int n = 0; n < 60; ++n) {
+                const double h = 5e-5 * (back ? n + 1 : 60 - n), apart = 2.0 * (radius + h);
+                const double pull = charges[k] * charges[k] /
+                                    (4.0 * std::numbers::pi * 8.8541878128e-12 * apart * apart);
+                table << h << ',' << -pull + normal(random) << ','
+                      << (back ? "retract" : "approach") << '\n';
+            }
+        experiments
+            << (k == 0 ? "" : ",") << R"({"id": ")" << id
+            << R"(", "rig": "pull_off", "conditions": {"counterpart": "plate", "preload": ")"
+            << k + 1 << R"( mN"}, "recording": ")" << id
+            << R"(.csv", "noise": {"force": "0.5 uN"}, "role": "fit"})";
+    }
+    std::ofstream(folder / "case.json") << R"({"format": "similitude-case/1", "title": "charged",
+  "grain": {"diameter": "2 mm", "density": "2500 kg/m^3", "youngs_modulus": "60 GPa", "poisson_ratio": 0.25},
+  "plate": {"youngs_modulus": "70 GPa", "poisson_ratio": 0.22},
+  "surroundings": {"gravity": "9.81 m/s^2"},
+  "model": {"physics": ["hertz_mindlin"], "parameters": {}},
+  "experiments": [)" << experiments.str()
+                                        << "]}\n";
+    const cases::Case c = cases::read_case(folder / "case.json");
+    std::filesystem::remove_all(folder);
+    return diagnose::diagnose(c, {.seed = 1, .threads = 2}, [](cases::Case&) {});
+}
+
+std::vector<std::string> named(const diagnose::Verdict& v) {
+    std::vector<std::string> list;
+    for (const diagnose::Effect& e : v.effects)
+        if (e.named) list.push_back(e.name);
+    return list;
+}
+
+}  // namespace
+
+TEST_CASE("decide: one charge in all recordings is an explanation, one that differs is none",
+          "[diagnose]") {
+    const diagnose::Verdict same = verdict_on({1e-10, 1e-10});
+    CHECK(same.answer == diagnose::Answer::explained);
+    CHECK(named(same) == std::vector<std::string>{"electrostatic"});
+    const diagnose::Verdict other = verdict_on({1e-10, 1.1e-10});
+    INFO(other.summary.front());
+    CHECK(other.answer == diagnose::Answer::unexplained);
+    CHECK(named(other).empty());
+}
+
+TEST_CASE("decide: what is too weak to show is nothing left out", "[diagnose]") {
+    const diagnose::Verdict v = verdict_on({0.0, 0.0});
+    CHECK(v.answer == diagnose::Answer::consistent);
+    REQUIRE_FALSE(v.hypotheses.empty());
+    CHECK(v.hypotheses.front().effects.empty());
+    // Charges too small to show make up most of its prior range, and count as none.
+    CHECK(v.hypotheses.front().probability > 0.6);
+}
