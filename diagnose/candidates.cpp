@@ -70,7 +70,7 @@ void fit_from(const Footing& on, const std::vector<VectorXd>& places, int iterat
             break;
         const VectorXd u = to_u(c.h.unknowns, theta);
         const bool fresh = std::all_of(tried.begin(), tried.end(), [&](const VectorXd& other) {
-            return (u - other).cwiseAbs().maxCoeff() > 0.02;
+            return u.size() > 0 && (u - other).cwiseAbs().maxCoeff() > 0.02;
         });
         if (!fresh) continue;
         tried.push_back(u);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What counts as an explanation: charged grains over a plate, by Coulomb's law of the image charge.
 #include "cases/read_case.hpp"
+#include "diagnose/candidates.hpp"
+#include "diagnose/catalogue.hpp"
 #include "diagnose/diagnose.hpp"
 
 #include <catch2/catch.hpp>
@@ -84,4 +86,39 @@ TEST_CASE("decide: what is too weak to show is nothing left out", "[diagnose]") 
     CHECK(v.hypotheses.front().effects.empty());
     // Charges too small to show make up most of its prior range, and count as none.
     CHECK(v.hypotheses.front().probability > 0.6);
+}
+
+// Buoyancy and a time step have no parameter of their own, and here the model has none that is free.
+TEST_CASE("candidates: two effects without a parameter are a pair like any other", "[diagnose]") {
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("similitude-pair-" + std::to_string(getpid()));
+    std::filesystem::create_directories(folder);
+    std::ofstream table(folder / "drop.csv");
+    table << "t [s],z [m]\n";
+    for (int k = 0; k < 20; ++k) table << 0.01 * k << ',' << 0.3 - 4.9e-4 * k * k << '\n';
+    table.close();
+    std::ofstream(folder / "case.json") << R"({"format": "similitude-case/1", "title": "bound",
+  "grain": {"diameter": "2 mm", "density": "2500 kg/m^3", "youngs_modulus": "60 MPa", "poisson_ratio": 0.25},
+  "plate": {"youngs_modulus": "70 MPa", "poisson_ratio": 0.22},
+  "surroundings": {"gravity": "9.81 m/s^2", "fluid_density": "1.2 kg/m^3", "fluid_viscosity": "1.8e-5 Pa*s"},
+  "model": {"physics": ["gravity", "hertz_mindlin"],
+            "parameters": {"restitution": {"value": 0.6}, "sliding_friction": {"value": 0.3}},
+            "numerics": {"time_step": "20 us", "integrator": "verlet"}},
+  "experiments": [{"id": "drop", "rig": "drop", "conditions": {"height": "300 mm"}, "recording": "drop.csv",
+                   "noise": {"z": "1 mm"}, "role": "fit"}]})";
+    const cases::Case c = cases::read_case(folder / "case.json");
+    std::filesystem::remove_all(folder);
+    const diagnose::Problem p = diagnose::problem_of(c);
+    const diagnose::Whitener w(p, diagnose::first_guess(p));
+    diagnose::Candidate base{.h = p.hypothesis({}), .fit = {}};
+    REQUIRE(base.h.unknowns.empty());
+    base.fit = diagnose::fit_base(p, w, base.h);
+    std::vector<diagnose::Candidate> singles;
+    const std::vector<diagnose::Term> terms = diagnose::catalogue(p);
+    for (const diagnose::Term& t : terms)
+        if (t.unknowns.empty()) singles.push_back(diagnose::extended(p, w, base, t));
+    REQUIRE(singles.size() == 2);
+    const std::vector<diagnose::Candidate> pairs = diagnose::pairs_of(p, w, singles, 8, 40, 1);
+    REQUIRE(pairs.size() == 1);
+    CHECK(pairs[0].h.unknowns.empty());
 }
