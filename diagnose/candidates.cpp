@@ -69,10 +69,7 @@ void fit_from(const Footing& on, const std::vector<VectorXd>& places, int iterat
         if (fits.size() >= few || (fits.size() > 1 && objective > ends[0].first + nearly_as_deep))
             break;
         const VectorXd u = to_u(c.h.unknowns, theta);
-        const bool fresh = std::all_of(tried.begin(), tried.end(), [&](const VectorXd& other) {
-            return u.size() > 0 && (u - other).cwiseAbs().maxCoeff() > 0.02;
-        });
-        if (!fresh) continue;
+        if (!is_fresh(u, tried, 0.02)) continue;
         tried.push_back(u);
         fits.push_back(fit(on.problem, on.whiten, c.h, theta, false, iterations));
     }
@@ -89,8 +86,7 @@ void fit_vibration(const Footing& on, const std::vector<VectorXd>& places, Candi
     std::vector<Place> ends = followed_in_time(on.problem, on.whiten, c.h, from);
     for (std::size_t k = 0; k < std::min(at_once, from.size()); ++k)  // weak ones need no leading
         ends.push_back(descended(on.problem, on.whiten, c.h, from[k], 5));
-    std::stable_sort(ends.begin(), ends.end(),
-                     [](const Place& a, const Place& b) { return a.objective < b.objective; });
+    std::stable_sort(ends.begin(), ends.end(), deeper);
     std::vector<Fit> fits;
     for (std::size_t k = 0; k < std::min(fitted_out, ends.size()); ++k)
         fits.push_back(fit(on.problem, on.whiten, c.h, ends[k].theta, false, 25));

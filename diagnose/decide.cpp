@@ -63,16 +63,9 @@ class Decision {
 
     // It leaves no mismatch, and one value of each of its parameters serves all recordings.
     bool explains(const Group& g, int draws) {
-        if (const auto known = own_p_.find(&g); known == own_p_.end())
-            own_p_[&g] = j_.own_p(*g.best, draws);
-        if (own_p_[&g] < own_level) return false;
-        for (std::size_t k = 0; k < g.best->h.terms.size(); ++k)
-            for (const Gate& gate :
-                 gates({j_.problem, *j_.whiten, j_.base, *g.best, own_p_[&g], std::nan("")}, k))
-                if ((gate.name == "regimes" || gate.name == "scaling") &&
-                    gate.result == GateResult::failed)
-                    return false;
-        return true;
+        if (!own_p_.contains(&g)) own_p_[&g] = j_.own_p(*g.best, draws);
+        return own_p_[&g] >= own_level &&
+               serves_all({j_.problem, *j_.whiten, j_.base, *g.best, own_p_[&g], std::nan("")});
     }
 
     // Of most weight among those that pass their own test of mismatch; the best few are asked.

@@ -273,6 +273,14 @@ Fit fit(const Problem& p, const Whitener& w, const Hypothesised& h, const Vector
     return fit_to(p, w, h, p.recorded, start, staged, iterations);
 }
 
+bool deeper(const Place& a, const Place& b) { return a.objective < b.objective; }
+
+bool is_fresh(const VectorXd& u, const std::vector<VectorXd>& tried, double distance) {
+    return std::all_of(tried.begin(), tried.end(), [&](const VectorXd& other) {
+        return (u - other).lpNorm<Eigen::Infinity>() > distance;  // 0 where there is no unknown
+    });
+}
+
 Place descended(const Problem& p, const Whitener& w, const Hypothesised& h, const VectorXd& u,
                 int iterations, const VectorXd& rows) {
     return Solver{p, w, h, rows.size() > 0 ? rows : early_rows(p, 1.0), p.recorded}.place(

@@ -49,6 +49,12 @@ struct Place {
     Eigen::VectorXd u, theta;
 };
 
+// By what is left, for sorting.
+bool deeper(const Place&, const Place&);
+
+// Whether u is further than `distance` in some unknown from each place that has been tried.
+bool is_fresh(const Eigen::VectorXd& u, const std::vector<Eigen::VectorXd>& tried, double distance);
+
 // From u, at most so many iterations, on the rows [size] that have a weight of 1; empty: on all.
 Place descended(const Problem&, const Whitener&, const Hypothesised&, const Eigen::VectorXd& u,
                 int iterations, const Eigen::VectorXd& rows = {});

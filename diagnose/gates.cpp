@@ -229,6 +229,14 @@ std::vector<Gate> gates(const GateInput& in, std::size_t which) {
                          clean ? "passes" : "fails", in.own_p_value)}};
 }
 
+bool serves_all(const GateInput& in) {
+    for (std::size_t k = 0; k < in.winner.h.terms.size(); ++k)
+        if (regimes_gate(in, k).result == GateResult::failed ||
+            scaling_gate(in, k).result == GateResult::failed)
+            return false;
+    return true;
+}
+
 bool passes(const std::vector<Gate>& list) {
     return std::all_of(list.begin(), list.end(), [](const Gate& g) {
         const bool must = g.name == "range" || g.name == "own_mismatch";

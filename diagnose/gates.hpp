@@ -22,6 +22,9 @@ struct GateInput {
 // Of the `which`-th term of the winner.
 std::vector<Gate> gates(const GateInput&, std::size_t which);
 
+// One value of each of the winner's parameters serves all recordings: no term fails `regimes` or `scaling`.
+bool serves_all(const GateInput&);
+
 bool passes(const std::vector<Gate>&);  // none failed; range and own_mismatch passed
 
 }  // namespace diagnose

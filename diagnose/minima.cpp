@@ -14,8 +14,6 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-bool deeper(const Place& a, const Place& b) { return a.objective < b.objective; }
-
 bool has_range(const Unknown& x) { return x.prior != Prior::gaussian; }
 
 // u with each unknown in turn put to the middles of equal parts of its range.
@@ -67,10 +65,7 @@ Deeper deeper_minimum(const Problem& p, const Whitener& w, const Hypothesised& h
         std::vector<VectorXd> tried{u};
         for (const Place& end : ends) {
             if (tried.size() > fitted_out || end.objective > before + promising) break;
-            const bool fresh = std::all_of(tried.begin(), tried.end(), [&](const VectorXd& other) {
-                return (end.u - other).cwiseAbs().maxCoeff() > 0.01;
-            });
-            if (!fresh) continue;
+            if (!is_fresh(end.u, tried, 0.01)) continue;
             tried.push_back(end.u);
             Fit f = fit(p, w, h, end.theta, false, long_fit);
             if (f.log_evidence > best.fit.log_evidence) {

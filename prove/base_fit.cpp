@@ -102,18 +102,22 @@ Fit base_fit(const Skeleton& sk, const std::vector<std::size_t>& list,
     const bool over_time =
         all.setups.front().rig == Rig::drop || all.setups.front().rig == Rig::incline;
     std::vector<World> starts{started(sk)};
-    const auto add = [&](const std::vector<World>& grid, const Early& rows, std::size_t most) {
-        const Fit begin = fitted(starts[0], rows.setups, nuisances, rows.wanted, 3);
-        for (const World& w : best_of(grid, {begin.setups, rows.wanted}, sk.noise, begin, most))
+    const auto add = [&](const std::vector<World>& grid, const Fit& begin,
+                         const Eigen::VectorXd& to, std::size_t most) {
+        for (const World& w : best_of(grid, {begin.setups, to}, sk.noise, begin, most))
             starts.push_back(w);
     };
     if (!free.empty()) {
         const std::vector<World> grid = grid_of(starts[0], free);
-        add(grid, all, by_all);
-        if (over_time) add(grid, early_rows(all.setups, wanted, 0.4), by_early);
-        if (!over_time && free.size() == 1)
-            for (const double share : {0.02, 0.001})
-                add(grid_of(share > 0.01 ? starts[1] : starts.back(), free, share), all, 1);
+        const Fit begin = fitted(starts[0], all.setups, nuisances, wanted, 3);
+        add(grid, begin, wanted, by_all);
+        if (over_time) {
+            const Early e = early_rows(all.setups, wanted, 0.4);
+            add(grid, fitted(starts[0], e.setups, nuisances, e.wanted, 3), e.wanted, by_early);
+        } else if (free.size() == 1) {
+            add(grid_of(starts[1], free, 0.02), begin, wanted, 1);
+            add(grid_of(starts.back(), free, 0.001), begin, wanted, 1);
+        }
     }
     std::vector<Fit> fits;
     for (const World& w : starts) {
@@ -132,11 +136,11 @@ Fit base_fit(const Skeleton& sk, const std::vector<std::size_t>& list,
         }
     }
     std::sort(fits.begin(), fits.end(),
-              [](const Fit& a, const Fit& b) { return a.chi2 + a.penalty < b.chi2 + b.penalty; });
+              [](const Fit& a, const Fit& b) { return a.cost() < b.cost(); });
     Fit best;
     for (std::size_t k = 0; k < std::min(fitted_out, fits.size()); ++k) {
         Fit f = fitted(fits[k].world, fits[k].setups, unknowns, wanted, 20);
-        if (k == 0 || f.chi2 + f.penalty < best.chi2 + best.penalty) best = std::move(f);
+        if (k == 0 || f.cost() < best.cost()) best = std::move(f);
     }
     return best;
 }

@@ -60,8 +60,8 @@ Model model_of(const Seen& s, const std::vector<const Term*>& terms, const Fit& 
             0.0};
     std::size_t k = base_unknowns(s.sk, s.list).size();
     for (const Term* t : terms) k += t->unknowns.size();
-    m.bic = m.fit.chi2 + m.fit.penalty +
-            static_cast<double>(k) * std::log(static_cast<double>(s.recorded.size()));
+    m.bic =
+        m.fit.cost() + static_cast<double>(k) * std::log(static_cast<double>(s.recorded.size()));
     return m;
 }
 

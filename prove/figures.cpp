@@ -113,8 +113,6 @@ double penalty_of_truth(const Skeleton& sk, const std::vector<std::size_t>& list
     return sum;
 }
 
-double cost(const Fit& f) { return f.chi2 + f.penalty; }
-
 }  // namespace
 
 const char* ordinate_of(const Setup& s) {
@@ -173,8 +171,8 @@ Fit fit_from(const Skeleton& sk, const std::vector<const Term*>& terms,
             first = last;
         }
         Fit f = fit(w, setups, unknowns, sk.noise, wanted, tries, 1e-3);
-        if (cost(f) < least) {
-            least = cost(f);
+        if (f.cost() < least) {
+            least = f.cost();
             best = std::move(f);
         }
     }
@@ -202,7 +200,7 @@ Separation separation(const Skeleton& sk, const World& truth, const std::vector<
             for (std::vector<double>& more : best_of_grid(sk, t, wanted, begin, 3))
                 starts.push_back(std::move(more));
         const Fit f = fit_from(sk, {&t}, list, wanted, begin, starts, 12);
-        const double d = std::sqrt(std::max(0.0, cost(f) - own));
+        const double d = std::sqrt(std::max(0.0, f.cost() - own));
         if (d < best.d) best = {d, t.effect, t.channel};
         if (best.d < enough) break;
     }
@@ -219,7 +217,7 @@ Separation pair_separation(const Skeleton& sk, const World& truth,
     std::vector<std::pair<double, std::size_t>> singles;
     for (std::size_t k = 0; k < all.size(); ++k) {
         const Fit f = fit_with(sk, {&all[k]}, list, wanted, begin);
-        singles.emplace_back(cost(f), k);
+        singles.emplace_back(f.cost(), k);
     }
     std::sort(singles.begin(), singles.end());
     Separation best{std::sqrt(std::max(0.0, singles.front().first - own)),
@@ -232,7 +230,7 @@ Separation pair_separation(const Skeleton& sk, const World& truth,
             };
             if (&one == &other || (acts(one) && acts(other))) continue;
             const Fit f = fit_with(sk, {&one, &other}, list, wanted, begin, 8);
-            const double d = std::sqrt(std::max(0.0, cost(f) - own));
+            const double d = std::sqrt(std::max(0.0, f.cost() - own));
             if (d < best.d)
                 best = {d, one.effect + " + " + other.effect, one.channel + " + " + other.channel};
         }

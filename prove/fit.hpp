@@ -44,8 +44,9 @@ struct Fit {
     World world;
     std::vector<Setup> setups;
     Eigen::VectorXd theta;
-    double chi2 = 0.0;       // of whitened residual, data only
-    double penalty = 0.0;    // of the priors
+    double chi2 = 0.0;     // of whitened residual, data only
+    double penalty = 0.0;  // of the priors
+    double cost() const { return chi2 + penalty; }
     Eigen::VectorXd misfit;  // whitened rows, then one for each prior
     Eigen::MatrixXd slopes;  // of the misfit by theta; at ends of ranges like anywhere else
     Eigen::MatrixXd information() const { return slopes.transpose() * slopes; }

@@ -88,7 +88,7 @@ double lambda_beside(const Skeleton& sk, const World& truth, const Term& other) 
     const std::vector<std::size_t> list = with_role(sk, false);
     const Eigen::VectorXd wanted = predict(truth, chosen(sk.truth, list));
     const Fit f = fit_with(sk, {&other}, list, wanted, base_fit(sk, list, wanted));
-    return f.chi2 + f.penalty;
+    return f.cost();
 }
 
 bool conceal_two(Draft& d, const Plan& plan, Dice& dice) {

@@ -89,7 +89,7 @@ void tell_held_out(Draft& d, const Eigen::VectorXd& recordings) {
     const Fit base = d.run.used ? fitted(d.sk.world, base_only, true) : base_fit(d.sk, fits, seen);
     d.key.oracle_held_out = error(oracle, false);
     d.key.base_held_out = error(base, d.run.used);
-    d.key.oracle_statistic = base.chi2 + base.penalty - oracle.chi2 - oracle.penalty;
+    d.key.oracle_statistic = base.cost() - oracle.cost();
     d.key.oracle_freedom = std::max(1, static_cast<int>(unknowns.size() - base_only.size()));
     Eigen::VectorXd floor = unseen;
     Eigen::Index k = 0;

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: MIT
 // What counts as an explanation: charged grains over a plate, by Coulomb's law of the image charge.
-#include "cases/read_case.hpp"
 #include "diagnose/candidates.hpp"
 #include "diagnose/catalogue.hpp"
 #include "diagnose/diagnose.hpp"
+#include "verdicts.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
+#include <map>
 #include <numbers>
 #include <random>
 #include <sstream>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 namespace {
@@ -23,15 +20,13 @@ constexpr double radius = 1e-3, noise = 0.5e-6;  // m, N
 
 // One force curve out of contact for each charge (C), in the order of the list; the model knows of no charge.
 diagnose::Verdict verdict_on(const std::vector<double>& charges) {
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / ("similitude-decide-" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder);
+    std::map<std::string, std::string> files;
     std::mt19937_64 random(5);
     std::normal_distribution<double> normal(0.0, noise);
     std::ostringstream experiments;
     for (std::size_t k = 0; k < charges.size(); ++k) {
         const std::string id = "curve-" + std::to_string(k + 1);
-        std::ofstream table(folder / (id + ".csv"));
+        std::ostringstream table;
         table << "separation [m],force [N],branch\n";
         for (const bool back : {false, true})
             for (int n = 0; n < 60; ++n) {
@@ -41,29 +36,22 @@ diagnose::Verdict verdict_on(const std::vector<double>& charges) {
                 table << h << ',' << -pull + normal(random) << ','
                       << (back ? "retract" : "approach") << '\n';
             }
+        files[id + ".csv"] = table.str();
         experiments
             << (k == 0 ? "" : ",") << R"({"id": ")" << id
             << R"(", "rig": "pull_off", "conditions": {"counterpart": "plate", "preload": ")"
             << k + 1 << R"( mN"}, "recording": ")" << id
             << R"(.csv", "noise": {"force": "0.5 uN"}, "role": "fit"})";
     }
-    std::ofstream(folder / "case.json") << R"({"format": "similitude-case/1", "title": "charged",
+    files["case.json"] = R"({"format": "similitude-case/1", "title": "charged",
   "grain": {"diameter": "2 mm", "density": "2500 kg/m^3", "youngs_modulus": "60 GPa", "poisson_ratio": 0.25},
   "plate": {"youngs_modulus": "70 GPa", "poisson_ratio": 0.22},
   "surroundings": {"gravity": "9.81 m/s^2"},
   "model": {"physics": ["hertz_mindlin"], "parameters": {}},
-  "experiments": [)" << experiments.str()
-                                        << "]}\n";
-    const cases::Case c = cases::read_case(folder / "case.json");
-    std::filesystem::remove_all(folder);
+  "experiments": [)" + experiments.str() +
+                         "]}\n";
+    const cases::Case c = case_of(files);
     return diagnose::diagnose(c, {.seed = 1, .threads = 2}, [](cases::Case&) {});
-}
-
-std::vector<std::string> named(const diagnose::Verdict& v) {
-    std::vector<std::string> list;
-    for (const diagnose::Effect& e : v.effects)
-        if (e.named) list.push_back(e.name);
-    return list;
 }
 
 }  // namespace
@@ -90,14 +78,10 @@ TEST_CASE("decide: what is too weak to show is nothing left out", "[diagnose]") 
 
 // Buoyancy and a time step have no parameter of their own, and here the model has none that is free.
 TEST_CASE("candidates: two effects without a parameter are a pair like any other", "[diagnose]") {
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / ("similitude-pair-" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder);
-    std::ofstream table(folder / "drop.csv");
+    std::ostringstream table;
     table << "t [s],z [m]\n";
     for (int k = 0; k < 20; ++k) table << 0.01 * k << ',' << 0.3 - 4.9e-4 * k * k << '\n';
-    table.close();
-    std::ofstream(folder / "case.json") << R"({"format": "similitude-case/1", "title": "bound",
+    const std::string bound = R"({"format": "similitude-case/1", "title": "bound",
   "grain": {"diameter": "2 mm", "density": "2500 kg/m^3", "youngs_modulus": "60 MPa", "poisson_ratio": 0.25},
   "plate": {"youngs_modulus": "70 MPa", "poisson_ratio": 0.22},
   "surroundings": {"gravity": "9.81 m/s^2", "fluid_density": "1.2 kg/m^3", "fluid_viscosity": "1.8e-5 Pa*s"},
@@ -106,8 +90,7 @@ TEST_CASE("candidates: two effects without a parameter are a pair like any other
             "numerics": {"time_step": "20 us", "integrator": "verlet"}},
   "experiments": [{"id": "drop", "rig": "drop", "conditions": {"height": "300 mm"}, "recording": "drop.csv",
                    "noise": {"z": "1 mm"}, "role": "fit"}]})";
-    const cases::Case c = cases::read_case(folder / "case.json");
-    std::filesystem::remove_all(folder);
+    const cases::Case c = case_of({{"case.json", bound}, {"drop.csv", table.str()}});
     const diagnose::Problem p = diagnose::problem_of(c);
     const diagnose::Whitener w(p, diagnose::first_guess(p));
     diagnose::Candidate base{.h = p.hypothesis({}), .fit = {}};

@@ -2,6 +2,7 @@
 // The five single-grain examples that came with the project's design (data/SOURCE): their truth stands beside them.
 #include "cases/read_case.hpp"
 #include "diagnose/diagnose.hpp"
+#include "verdicts.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -17,13 +18,6 @@ diagnose::Verdict verdict_on(const std::string& name, int threads, int* opened =
         if (opened) ++*opened;
         cases::open_held_out(sealed);
     });
-}
-
-std::vector<std::string> named(const diagnose::Verdict& v) {
-    std::vector<std::string> list;
-    for (const diagnose::Effect& e : v.effects)
-        if (e.named) list.push_back(e.name);
-    return list;
 }
 
 }  // namespace

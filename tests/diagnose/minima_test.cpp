@@ -2,22 +2,21 @@
 // Bounces on a vibrating plate, worked out here from bounce to bounce; what fits find in them.
 #include "diagnose/minima.hpp"
 
-#include "cases/read_case.hpp"
 #include "diagnose/candidates.hpp"
 #include "diagnose/catalogue.hpp"
 #include "diagnose/diagnose.hpp"
 #include "diagnose/starts.hpp"
+#include "verdicts.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
+#include <map>
 #include <numbers>
 #include <random>
+#include <sstream>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 namespace {
@@ -56,11 +55,9 @@ std::vector<double> heights(double from, const std::vector<double>& times) {
     return list;
 }
 
-// Three drops, by way of a folder that no other test uses. `one_wrong`: a value of the first that is set 9 noises off, and its neighbours if asked for.
+// Three drops. `one_wrong`: a value of the first that is set 9 noises off, and its neighbours if asked for.
 cases::Case drops(bool one_wrong = false, bool neighbours_wrong = false) {
-    const std::filesystem::path folder =
-        std::filesystem::temp_directory_path() / ("similitude-minima-" + std::to_string(getpid()));
-    std::filesystem::create_directories(folder);
+    std::map<std::string, std::string> files;
     std::mt19937_64 random(3);
     std::normal_distribution<double> normal(0.0, noise);
     std::string experiments;
@@ -72,26 +69,24 @@ cases::Case drops(bool one_wrong = false, bool neighbours_wrong = false) {
         for (double& value : z) value += normal(random);
         if (mm == 250 && one_wrong) z[60] += 9.0 * noise;
         if (mm == 250 && neighbours_wrong) z[59] += 9.0 * noise, z[61] += 9.0 * noise;
-        std::ofstream table(folder / (id + ".csv"));
+        std::ostringstream table;
         table << "t [s],z [m]\n";
         for (std::size_t k = 0; k < z.size(); ++k) table << times[k] << ',' << z[k] << '\n';
+        files[id + ".csv"] = table.str();
         experiments += (experiments.empty() ? "" : ",") + std::string("{\"id\": \"") + id +
                        R"(", "rig": "drop", "conditions": {"height": ")" + std::to_string(mm) +
                        R"( mm"}, "recording": ")" + id +
                        R"(.csv", "noise": {"z": "2 mm"}, "role": "fit"})";
     }
-    std::ofstream(folder / "case.json")
-        << R"({"format": "similitude-case/1", "title": "on a vibrating plate",
+    files["case.json"] = R"({"format": "similitude-case/1", "title": "on a vibrating plate",
   "grain": {"diameter": "2 mm", "density": "2500 kg/m^3", "youngs_modulus": "60 GPa", "poisson_ratio": 0.25},
   "plate": {"youngs_modulus": "70 GPa", "poisson_ratio": 0.22},
   "surroundings": {"gravity": "9.81 m/s^2", "fluid_density": "1.2 kg/m^3", "fluid_viscosity": "1.8e-5 Pa*s"},
   "model": {"physics": ["gravity", "hertz_mindlin"],
             "parameters": {"restitution": {"value": 0.6, "range": [0.1, 0.99]}, "sliding_friction": {"value": 0.3}}},
-  "experiments": [)"
-        << experiments << "]}\n";
-    cases::Case read = cases::read_case(folder / "case.json");
-    std::filesystem::remove_all(folder);
-    return read;
+  "experiments": [)" + experiments +
+                         "]}\n";
+    return case_of(files);
 }
 
 const diagnose::Term& vibration(const std::vector<diagnose::Term>& terms) {
