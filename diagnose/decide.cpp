@@ -15,6 +15,7 @@
 namespace diagnose {
 namespace {
 
+constexpr double name_level = 0.01;  // p of the mismatch below which a name is given
 constexpr double far_apart = 3.0;    // sigma between two hypotheses that recordings can tell apart
 constexpr double sure = 0.75;        // probability at which rivals that far apart are out
 constexpr double sure_of_two = 0.9;  // the same of two effects: their look-alikes are many
@@ -62,8 +63,8 @@ class Decision {
     std::vector<const Group*> rivals_;  // nearest first
 
     // It leaves no mismatch, and one value of each of its parameters serves all recordings.
-    bool explains(const Group& g, int draws) {
-        if (!own_p_.contains(&g)) own_p_[&g] = j_.own_p(*g.best, draws);
+    bool explains(const Group& g) {
+        if (!own_p_.contains(&g)) own_p_[&g] = j_.own_p(*g.best);
         return own_p_[&g] >= own_level &&
                serves_all({j_.problem, *j_.whiten, j_.base, *g.best, own_p_[&g], std::nan("")});
     }
@@ -75,7 +76,7 @@ class Decision {
             if (is_unknown(g)) unknown_ = &g;
             if (winner_ || g.effects.empty() || is_unknown(g) || asked >= 6) continue;
             ++asked;
-            if (explains(g, 999)) winner_ = &g;
+            if (explains(g)) winner_ = &g;
         }
         if (winner_ && unknown_ && unknown_->log_weight > winner_->log_weight) winner_ = nullptr;
     }
@@ -100,7 +101,7 @@ class Decision {
             }
             const double apart = separation(both, w, truth, carried_over(both, *g.best));
             const bool close = near_in_odds && winner_->probability < (two ? sure_of_two : sure);
-            if (close || (apart < far_apart && explains(g, 399))) list.push_back({apart, &g});
+            if (close || (apart < far_apart && explains(g))) list.push_back({apart, &g});
         }
         std::stable_sort(list.begin(), list.end(),
                          [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -111,7 +112,7 @@ class Decision {
     double refined_p() const {
         const Candidate* c = j_.artefact();
         const bool changes = c && c->fit.objective() < j_.base.fit.objective() - seen;
-        return changes ? j_.own_p(*c, 399) : std::nan("");
+        return changes ? j_.own_p(*c) : std::nan("");
     }
 
     void weigh_winner() {
@@ -129,7 +130,7 @@ class Decision {
         j_.left_out_winner = left_out_misfit(j_.problem, *j_.whiten, c.h, c.fit);
         const bool beyond_unknown = !unknown_ || winner_->probability >= sure ||
                                     unknown_->log_weight < winner_->log_weight - close_odds;
-        const bool named = rivals_.empty() && beyond_unknown && v_.p_value < own_level && all_pass;
+        const bool named = rivals_.empty() && beyond_unknown && v_.p_value < name_level && all_pass;
         v_.answer = named ? Answer::explained : Answer::ambiguous;
         if (named) return;
         for (Effect& e : v_.effects) e.named = false;

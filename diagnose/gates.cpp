@@ -165,6 +165,8 @@ Gate placebo_gate(const GateInput& in, std::size_t which) {
     const VectorXd d = in.whiten(in.winner.fit.prediction - in.base.fit.prediction);
     const VectorXd left = project(in.base.fit.white), own = project(d);
     const double gain = in.base.fit.objective() - in.winner.fit.objective();
+    constexpr double told_apart =
+        36.0;  // drop in chi squared by which the two are to differ, 6 sigma
     double best = 0.0;
     bool any = false;
     for (const bool swapped : {false, true}) {
@@ -187,7 +189,7 @@ Gate placebo_gate(const GateInput& in, std::size_t which) {
         if (size == 0.0) continue;
         // One that comes out as the signature itself (an offset run backwards is an offset) is no test.
         const double alike = own.dot(placebo) / (size * own.norm());
-        if ((1.0 - alike * alike) * gain < deviations * deviations) continue;
+        if ((1.0 - alike * alike) * gain < told_apart) continue;
         any = true;
         best = std::max(best, std::pow(std::max(0.0, placebo.dot(left) / size), 2));
     }

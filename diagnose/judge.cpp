@@ -29,8 +29,9 @@ Effort effort(const Problem& p) {
         return std::any_of(p.records.begin(), p.records.end(),
                            [&](const Record& r) { return r.experiment->rig == rig; });
     };
+    constexpr std::size_t many_rows = 600;
     return any("drop")     ? Effort{3, 1, 4, 10}
-           : any("impact") ? Effort{8, 1, 5, 14}
+           : any("impact") ? (p.size < many_rows ? Effort{8, 1, 5, 14} : Effort{5, 1, 4, 8})
                            : Effort{10, 10, 8, 40};
 }
 
@@ -151,7 +152,10 @@ double Judge::p_of_best_gain() const {
     return std::max(least, 1e-4);  // the tails of real noise are not known further out
 }
 
-double Judge::own_p(const Candidate& c, int n) const { return test(c, n).p_value; }
+double Judge::own_p(const Candidate& c) const {
+    const double p = test(c, 399).p_value;
+    return p > 10.0 * own_level ? p : test(c, 1999).p_value;
+}
 
 // Whether the effect of most evidence leaves nothing to a second one: it passes its own test of mismatch and all gates, and no
 // force that nobody has named does better.
@@ -161,7 +165,7 @@ bool Judge::one_is_enough() const {
         [](const Candidate& a, const Candidate& b) { return a.log_evidence < b.log_evidence; });
     if (best == singles.end()) return false;
     if (!forces.empty() && forces.front().log_evidence > best->log_evidence) return false;
-    const double p = own_p(*best, 399);
+    const double p = own_p(*best);
     return p >= 0.05 && passes(gates({problem, *whiten, base, *best, p, std::nan("")}, 0));
 }
 

@@ -15,7 +15,7 @@
 
 namespace diagnose {
 
-constexpr double own_level = 0.01;  // below it a model fails its own test of mismatch
+constexpr double own_level = 0.003;  // below it a model fails its own test of mismatch
 
 struct Judge {
     const cases::Case& given;
@@ -59,7 +59,8 @@ struct Judge {
     set_outliers_aside();  // single values far from what even the best fit says; the verdict warns
     void refit_all();
     Mismatch test(const Candidate&, int draws) const;
-    double own_p(const Candidate&, int draws) const;  // of its own test of mismatch
+    // Of its own test of mismatch; more draws where a few leave it near own_level.
+    double own_p(const Candidate&) const;
     bool one_is_enough() const;
     double p_of_best_gain() const;
 };

@@ -25,6 +25,16 @@ void along_ranges(const Hypothesised& h, const VectorXd& u, std::vector<VectorXd
     }
 }
 
+// u with each unknown in turn a little off, by ever less: a grain that lets go one row later moves a force curve by a step, which
+// no slope tells of.
+void close_by(const Hypothesised& h, const VectorXd& u, std::vector<VectorXd>& list) {
+    for (Index k = 0; k < u.size(); ++k) {
+        if (!has_range(h.unknowns[static_cast<std::size_t>(k)])) continue;
+        for (double step = 0.05; step > 5e-4; step *= 0.5)
+            for (const double sign : {-1.0, 1.0}) list.push_back(u), list.back()[k] += sign * step;
+    }
+}
+
 // Away from the fit along the directions that it leaves open, by some and by many deviations: bounces that come a little sooner or
 // later make ripples on the floor of a valley.
 void along_the_valley(const Fit& f, const VectorXd& u, std::vector<VectorXd>& list) {
@@ -42,12 +52,19 @@ void along_the_valley(const Fit& f, const VectorXd& u, std::vector<VectorXd>& li
         }
 }
 
+bool has_force_curve(const Problem& p) {
+    return std::any_of(p.records.begin(), p.records.end(),
+                       [](const Record& r) { return r.experiment->rig == "pull_off"; });
+}
+
 }  // namespace
 
 Deeper deeper_minimum(const Problem& p, const Whitener& w, const Hypothesised& h, const Fit& from) {
     constexpr int rounds = 3, short_fit = 4, long_fit = 25;
     constexpr std::size_t fitted_out = 3;
     constexpr double promising = 40.0, worth_a_round = 0.5;  // in chi squared; in evidence
+    const bool steps = has_force_curve(p);
+    const double fresh = steps ? 2e-4 : 0.01;  // u
     Deeper best{from, {}};
     if (h.unknowns.empty()) return best;
     for (int round = 0; round < rounds; ++round) {
@@ -55,6 +72,7 @@ Deeper deeper_minimum(const Problem& p, const Whitener& w, const Hypothesised& h
         std::vector<VectorXd> trials;
         along_ranges(h, u, trials);
         along_the_valley(best.fit, u, trials);
+        if (steps) close_by(h, u, trials);
         std::vector<Place> ends;
         for (const VectorXd& trial : trials) {
             Place end = descended(p, w, h, trial, short_fit);
@@ -65,7 +83,7 @@ Deeper deeper_minimum(const Problem& p, const Whitener& w, const Hypothesised& h
         std::vector<VectorXd> tried{u};
         for (const Place& end : ends) {
             if (tried.size() > fitted_out || end.objective > before + promising) break;
-            if (!is_fresh(end.u, tried, 0.01)) continue;
+            if (!is_fresh(end.u, tried, fresh)) continue;
             tried.push_back(end.u);
             Fit f = fit(p, w, h, end.theta, false, long_fit);
             if (f.log_evidence > best.fit.log_evidence) {

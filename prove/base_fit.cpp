@@ -44,9 +44,11 @@ std::vector<World> grid_of(const World& start, const std::vector<Unknown>& free,
     std::vector<World> grid{start};
     for (const Unknown& u : free) {
         std::vector<World> finer;
+        // Ranges of more than a decade in the logarithm: a friction of 0.05 is no neighbour of 0.1.
+        const bool logarithmic = u.low > 0.0 && u.high > 10.0 * u.low;
         const auto inner = [&](double v) {
-            return u.logarithmic ? std::log(v / u.low) / std::log(u.high / u.low)
-                                 : (v - u.low) / (u.high - u.low);
+            return logarithmic ? std::log(v / u.low) / std::log(u.high / u.low)
+                               : (v - u.low) / (u.high - u.low);
         };
         const double low =
             share == 1.0 ? 0.0 : std::clamp(inner(start.*u.in_world) - share, 0.0, 1.0);
@@ -56,8 +58,8 @@ std::vector<World> grid_of(const World& start, const std::vector<Unknown>& free,
             for (int k = 0; k < points; ++k) {
                 const double x = low + (high - low) * (k + 0.5) / points;
                 finer.push_back(w);
-                finer.back().*u.in_world = u.logarithmic ? u.low * std::pow(u.high / u.low, x)
-                                                         : u.low + x * (u.high - u.low);
+                finer.back().*u.in_world = logarithmic ? u.low * std::pow(u.high / u.low, x)
+                                                       : u.low + x * (u.high - u.low);
             }
         if (finer.size() <= most) grid = std::move(finer);
     }

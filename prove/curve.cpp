@@ -10,7 +10,6 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace prove {
@@ -74,11 +73,12 @@ State state_at(const World& w, const Setup& s, double separation, bool retract) 
 }
 
 // A force bends the spring: the drive's position that belongs to a separation is s - F(s)/k; where that rises the grain is stable. On the
-// way in the grain is free as long as it can be, on the way out it holds on as long as it can: contact, then the bridge.
+// way in the grain is free as long as it can be, on the way out it holds on as long as it can: contact, then at its edge by what
+// pulls from across the gap, then the bridge.
 class Cantilever {
   public:
-    Cantilever(const World& w, const Setup& s) : w_(w), s_(s) {
-        const double edge = fold(w, s);
+    Cantilever(const World& w, const Setup& s) : w_(w), s_(s), edge_(fold(w, s)) {
+        const double edge = edge_;
         const double deep = std::pow(s.preload / (s.e_star() * std::sqrt(s.r_star())), 2.0 / 3.0);
         const double unit = std::max({deep, edge, 1e-9});
         double far = 4.0 * unit;
@@ -94,14 +94,20 @@ class Cantilever {
     }
 
     double force_at(double drive, bool retract) const {
-        const State in[] = {State::free, State::contact};
-        const State out[] = {State::contact, State::bridged, State::free};
-        std::optional<double> separation;
-        for (const State state : std::span(retract ? out : in, retract ? 3u : 2u)) {
-            separation = stable(drive, state);
-            if (separation) return force(w_, s_, *separation, state);
-        }
-        return 0.0;
+        const auto at = [&](State state) -> std::optional<double> {
+            const std::optional<double> separation = stable(drive, state, retract);
+            if (!separation) return std::nullopt;
+            return force(w_, s_, *separation, state);
+        };
+        if (!retract)
+            if (const auto f = at(State::free)) return *f;
+        if (const auto f = at(State::contact)) return *f;
+        const State near = retract && w_.surface_tension > 0.0 ? State::bridged : State::free;
+        if (drive <= drive_at(std::max(edge_, 1e-3 * closest), near))
+            return s_.cantilever_stiffness * (edge_ - drive);
+        if (near == State::bridged)
+            if (const auto f = at(State::bridged)) return *f;
+        return at(State::free).value_or(0.0);
     }
 
   private:
@@ -116,11 +122,11 @@ class Cantilever {
         b.separation.push_back(separation);
         b.drive.push_back(drive_at(separation, state));
     }
-    // Free: the outermost one; else the innermost.
-    std::optional<double> stable(double drive, State state) const {
+    // Free on the way in: the outermost one; else the innermost.
+    std::optional<double> stable(double drive, State state, bool retract) const {
         const Branch& b = branches_[static_cast<std::size_t>(state)];
         for (std::size_t k = 0; k + 1 < b.drive.size(); ++k) {
-            const std::size_t n = state == State::free ? b.drive.size() - 2 - k : k;
+            const std::size_t n = state == State::free && !retract ? b.drive.size() - 2 - k : k;
             if (b.drive[n] > drive || b.drive[n + 1] <= drive) continue;
             return root([&](double at) { return drive_at(at, state) - drive; }, b.separation[n],
                         b.separation[n + 1]);
@@ -129,6 +135,7 @@ class Cantilever {
     }
     const World& w_;
     const Setup& s_;
+    double edge_;  // m, of the contact
     std::array<Branch, 3> branches_{};
 };
 

@@ -157,6 +157,7 @@ Fit fit_from(const Skeleton& sk, const std::vector<const Term*>& terms,
              const std::vector<std::size_t>& list, const Eigen::VectorXd& wanted, const Fit& begin,
              const std::vector<std::vector<double>>& starts, int iterations) {
     const std::vector<Unknown> unknowns = unknowns_with(sk, terms, list);
+    const bool steps = sk.stated.front().rig == Rig::pull_off;
     // A few steps from every start, the rest from the best place.
     const int tries = starts.size() > 1 ? 3 : iterations;
     Fit best;
@@ -170,6 +171,10 @@ Fit fit_from(const Skeleton& sk, const std::vector<const Term*>& terms,
             w = with_values(*t, {first, last}, w, setups);
             first = last;
         }
+        if (steps) {  // the base line first: a step of all would be as short as a jump of the force allows
+            const Fit near = fit(w, setups, base_unknowns(sk, list), sk.noise, wanted, 3, 1e-3);
+            w = near.world, setups = near.setups;
+        }
         Fit f = fit(w, setups, unknowns, sk.noise, wanted, tries, 1e-3);
         if (f.cost() < least) {
             least = f.cost();
@@ -179,6 +184,30 @@ Fit fit_from(const Skeleton& sk, const std::vector<const Term*>& terms,
     if (starts.size() == 1 || !std::isfinite(least)) return best;
     return fit(best.world, best.setups, unknowns, sk.noise, wanted, iterations, 1e-3);
 }
+
+namespace {
+
+// A grain that lets go one row later moves a force curve by a step, which no slope tells of: places ever nearer to the best
+// value of the term's first unknown are tried, too.
+Fit closed_in(const Skeleton& sk, const Term& t, const std::vector<std::size_t>& list,
+              const Eigen::VectorXd& wanted, Fit best) {
+    if (t.unknowns.empty() || t.unknowns.front().in_world == nullptr ||
+        sk.stated.front().rig != Rig::pull_off)
+        return best;
+    const Unknown& u = t.unknowns.front();
+    const std::vector<Unknown> unknowns = unknowns_with(sk, {&t}, list);
+    for (double share = 0.05; share > 5e-4; share *= 0.5)
+        for (const double sign : {-1.0, 1.0}) {
+            World w = best.world;
+            w.*u.in_world =
+                std::clamp(w.*u.in_world * std::pow(u.high / u.low, sign * share), u.low, u.high);
+            Fit f = fit(w, best.setups, unknowns, sk.noise, wanted, 3, 1e-3);
+            if (f.cost() < best.cost()) best = std::move(f);
+        }
+    return best;
+}
+
+}  // namespace
 
 Fit fit_with(const Skeleton& sk, const std::vector<const Term*>& terms,
              const std::vector<std::size_t>& list, const Eigen::VectorXd& wanted, const Fit& begin,
@@ -199,7 +228,8 @@ Separation separation(const Skeleton& sk, const World& truth, const std::vector<
         if (enough == 0.0)
             for (std::vector<double>& more : best_of_grid(sk, t, wanted, begin, 3))
                 starts.push_back(std::move(more));
-        const Fit f = fit_from(sk, {&t}, list, wanted, begin, starts, 12);
+        Fit f = fit_from(sk, {&t}, list, wanted, begin, starts, 12);
+        if (enough == 0.0) f = closed_in(sk, t, list, wanted, std::move(f));
         const double d = std::sqrt(std::max(0.0, f.cost() - own));
         if (d < best.d) best = {d, t.effect, t.channel};
         if (best.d < enough) break;

@@ -56,13 +56,14 @@ std::function<void(World&, double)> physical(const Term& t, const Skeleton& sk, 
         const double at = v * dice.log_uniform(0.03, 0.5);
         return [at, sign](World& w, double s) {
             w.friction_velocity = at;
-            w.dynamic_friction = w.sliding_friction * (1.0 + 0.95 * sign * s);
+            w.dynamic_friction =
+                std::clamp(w.sliding_friction * (1.0 + 0.95 * sign * s), 3e-3, 1.2);
         };
     }
     if (e == "tangential_compliance") {
         return [](World& w, double s) {
             w.micro_slip = true;
-            w.stiffness_ratio = std::min(50.0, 0.1 / s);
+            w.stiffness_ratio = 0.1 / s;
         };
     }
     if (e == "vibration") {
@@ -108,6 +109,7 @@ double least_of(const Term& t, Rig rig) {
     if (t.effect == "electrostatic") return 1e-4;
     if (t.effect == "viscoelastic_restitution" || t.effect == "plastic_restitution") return 0.02;
     if (t.effect == "velocity_dependent_friction") return 0.03;
+    if (t.effect == "tangential_compliance") return 0.01;  // ten times Mindlin's stiffness
     return 0.005;
 }
 

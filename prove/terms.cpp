@@ -32,60 +32,68 @@ bool records(const std::vector<Setup>& setups, Channel c) {
     return false;
 }
 
-// A charge of 2.65e-5 C/m^2 is what air at rest holds; three times that, as small grains do.
+// m/s: the fastest that any experiment states or falls to.
+double fastest(const std::vector<Setup>& setups) {
+    double v = 0.0;
+    for (const Setup& s : setups)
+        v = std::max(v, std::hypot(s.speed, std::sqrt(2.0 * s.gravity * s.height)));
+    return v > 0.0 ? v : 1.0;
+}
+
+// The ranges below are those of docs/diagnose.md: what a user of the tool is told that can be.
+// A charge of 2.66e-5 C/m^2 is what air at rest holds over a flat surface; small grains hold more.
 Term electrostatic(double r) {
-    const double most = 3.0 * 2.65e-5 * 4.0 * pi * r * r;
-    return {
-        "electrostatic",
-        "",
-        {of_world("charge", &World::charge, 1e-4 * most, most, true, {0.003 * most, 0.2 * most})}};
+    const double most = 2.66e-5 * 4.0 * pi * r * r;
+    return {"electrostatic",
+            "",
+            {of_world("charge", &World::charge, 1e-4 * most, 100.0 * most, true,
+                      {0.01 * most, 0.6 * most})}};
 }
 Term capillary(double r) {
     return {"capillary_bridge",
             "",
-            {of_world("surface_tension", &World::surface_tension, 1e-6, 0.5, true, {1e-5, 0.03}),
-             of_world("liquid_volume", &World::liquid_volume, 1e-7 * r * r * r, 0.3 * r * r * r,
+            {of_world("surface_tension", &World::surface_tension, 0.005, 0.6, true, {0.006, 0.03}),
+             of_world("liquid_volume", &World::liquid_volume, 1e-7 * r * r * r, 0.5 * r * r * r,
                       true, {1e-3 * r * r * r})}};
 }
 Term adhesion() {
     return {
         "adhesion",
         "",
-        {of_world("work_of_adhesion", &World::work_of_adhesion, 1e-5, 5.0, true, {1e-4, 0.03})}};
+        {of_world("work_of_adhesion", &World::work_of_adhesion, 1e-4, 10.0, true, {2e-4, 0.03})}};
 }
 Term drag() {
-    return {"air_drag",
-            "",
-            {of_world("drag_coefficient", &World::drag, 0.02, 20.0, true, {0.04, 1.0})}};
+    return {
+        "air_drag", "", {of_world("drag_coefficient", &World::drag, 0.1, 10.0, true, {0.12, 1.0})}};
 }
 Term rolling() {
     return {
         "rolling_resistance",
         "",
-        {of_world("rolling_friction", &World::rolling_friction, 1e-5, 0.5, true, {1e-4, 0.02})}};
+        {of_world("rolling_friction", &World::rolling_friction, 1e-4, 0.5, true, {2e-4, 0.02})}};
 }
-Term velocity_friction() {
-    return {
-        "velocity_dependent_friction",
-        "",
-        {of_world("friction_velocity", &World::friction_velocity, 3e-3, 10.0, true, {0.05, 0.6}),
-         of_world("dynamic_friction", &World::dynamic_friction, 0.0, 1.2, false, {0.2})}};
+Term velocity_friction(double v) {
+    return {"velocity_dependent_friction",
+            "",
+            {of_world("friction_velocity", &World::friction_velocity, 3e-3 * v, 3.0 * v, true,
+                      {0.05 * v, 0.6 * v}),
+             of_world("dynamic_friction", &World::dynamic_friction, 3e-3, 1.2, false, {0.2})}};
 }
 Term visco() {
     return {"viscoelastic_restitution",
             "",
-            {of_world("loss_coefficient", &World::loss_coefficient, 1e-4, 1.0, false, {0.3})}};
+            {of_world("loss_coefficient", &World::loss_coefficient, 0.01, 0.9, false, {0.3})}};
 }
-Term plastic() {
-    return {
-        "plastic_restitution",
-        "",
-        {of_world("yield_velocity", &World::yield_velocity, 1e-3, 50.0, true, {0.05, 0.5, 5.0})}};
+Term plastic(double v) {
+    return {"plastic_restitution",
+            "",
+            {of_world("yield_velocity", &World::yield_velocity, 1e-3 * v, v, true,
+                      {0.02 * v, 0.2 * v, 0.9 * v})}};
 }
 Term compliance() {
     Term t{"tangential_compliance",
            "",
-           {of_world("stiffness_ratio", &World::stiffness_ratio, 0.02, 20.0, true, {0.04, 1.0})}};
+           {of_world("stiffness_ratio", &World::stiffness_ratio, 0.1, 10.0, true, {0.12, 1.0})}};
     t.micro_slip = true;
     return t;
 }
@@ -142,30 +150,30 @@ void add_offsets(const std::vector<Setup>& setups, std::vector<Term>& all) {
 }
 
 std::vector<Term> physical(const std::vector<Setup>& setups) {
-    const double r = smallest_radius(setups);
+    const double r = smallest_radius(setups), v = fastest(setups);
     const Rig rig = setups.front().rig;
     Term van_der_waals{"van_der_waals",
                        "",
-                       {of_world("hamaker_constant", &World::hamaker_constant, 1e-23, 1e-15, true,
+                       {of_world("hamaker_constant", &World::hamaker_constant, 1e-21, 2e-18, true,
                                  {1e-20, 1e-18})}};
     switch (rig) {
         case Rig::drop: {
             std::vector<Term> all{drag(),        {"buoyancy"}, adhesion(),
                                   van_der_waals, capillary(r), electrostatic(r),
-                                  visco(),       plastic(),    vibration(setups.front().height),
+                                  visco(),       plastic(v),   vibration(setups.front().height),
                                   tilt(false)};
             if (records(setups, Channel::x)) {
-                all.push_back(velocity_friction());
+                all.push_back(velocity_friction(v));
                 all.push_back(compliance());
                 all.push_back(rolling());
             }
             return all;
         }
         case Rig::incline:
-            return {drag(),           {"buoyancy"}, adhesion(),          capillary(r),
-                    electrostatic(r), rolling(),    velocity_friction(), tilt(true)};
+            return {drag(),           {"buoyancy"}, adhesion(),           capillary(r),
+                    electrostatic(r), rolling(),    velocity_friction(v), tilt(true)};
         case Rig::impact:
-            return {visco(), plastic(), velocity_friction(), compliance(), rolling()};
+            return {visco(), plastic(v), velocity_friction(v), compliance(), rolling()};
         case Rig::pull_off:
             break;
     }

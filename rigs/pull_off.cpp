@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace rigs {
 namespace {
@@ -112,12 +113,59 @@ class ForceCurve {
 
     // In contact, at most `outermost` apart.
     Place pressed(double x, double outermost) const {
+        const double edge = outermost - in_contact(outermost) / k_ - x;
+        if (edge < 0.0) return {outermost, k_ * (outermost - x)};
+        if (missing_ == nullptr) return g_.work_of_adhesion > 0.0 ? adhering(x) : elastic(x);
         const auto excess = [&](double s) { return s - in_contact(s) / k_ - x; };
-        if (excess(outermost) < 0.0) return {outermost, k_ * (outermost - x)};
         double high = outermost, depth = std::max(gap_, 1e-10), low = outermost - depth;
         for (; excess(low) > 0.0; low = outermost - depth) high = low, depth *= 2.0;
         const double s = crossing(excess, low, high);
         return {s, in_contact(s)};
+    }
+
+    // Where f, rising and convex from the largest zero on, is zero: Newton's steps from a place beyond it. f gives value and slope.
+    template <class F>
+    static double from_above(const F& f, double q) {
+        for (int n = 0; n < 100; ++n) {
+            const auto [value, slope] = f(q);
+            const double step = value / slope;
+            if (!(step > 1e-15 * q)) break;  // nor where it is no number: nothing presses
+            q -= step;
+        }
+        return q;
+    }
+
+    // Hertz in q = sqrt(overlap): overlap + F/k = -x, which is a polynomial.
+    Place elastic(double x) const {
+        const double steep = 4.0 / 3.0 * g_.e_star * std::sqrt(g_.r_star);
+        const double pull = g_.attraction.in_contact(), c = pull / k_ - x;
+        const double q = from_above(
+            [&](double v) {
+                return std::pair{v * v * (1.0 + steep / k_ * v) - c,
+                                 v * (2.0 + 3.0 * steep / k_ * v)};
+            },
+            std::min(std::sqrt(c), std::cbrt(c * k_ / steep)));
+        return {-q * q, steep * q * q * q - pull};
+    }
+
+    // JKR in the s of contact/jkr.hpp: both the overlap and the force are polynomials of it.
+    Place adhering(double x) const {
+        const double unit = length_ * length_ / g_.r_star;
+        const double load = 2.0 / 3.0 * std::numbers::pi * g_.work_of_adhesion * g_.r_star;
+        const double pull = g_.attraction.in_contact(), c = pull / k_ - x;
+        const double free = std::cbrt(3.0);  // there the contact carries no force
+        const double deep = std::max(c, 0.0);
+        const double beyond = std::min(std::pow(deep / unit, 0.25) + std::cbrt(2.0),
+                                       std::pow(deep * k_ / load, 1.0 / 6.0) + free);
+        const double s = from_above(
+            [&](double v) {
+                const double v3 = v * v * v;
+                return std::pair{unit * v * (v3 - 2.0) + load / k_ * v3 * (v3 - 3.0) - c,
+                                 unit * (4.0 * v3 - 2.0) + load / k_ * v * v * (6.0 * v3 - 9.0)};
+            },
+            std::max(free, beyond));
+        const double s3 = s * s * s;
+        return {-unit * s * (s3 - 2.0), load * s3 * (s3 - 3.0) - pull};
     }
 };
 

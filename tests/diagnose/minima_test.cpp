@@ -133,6 +133,42 @@ TEST_CASE("minima: a vibration is named among all effects, with its frequency", 
     CHECK(v.effects[0].parameters[1].value == Approx(frequency).epsilon(2e-3));
 }
 
+// Behind a soft cantilever the work of adhesion says at which row the grain lets go: chi squared is a staircase.
+TEST_CASE("minima: the work of adhesion is found between the rows of a force curve", "[diagnose]") {
+    std::ostringstream table;
+    table << "displacement [um],force [uN],branch\n";
+    for (int k = 0; k < 150; ++k) table << 62.0 - k << ",0,approach\n";
+    for (int k = 0; k < 150; ++k) table << -87.0 + k << ",0,retract\n";
+    const cases::Case c = case_of({{"curve.csv", table.str()}, {"case.json", R"({
+        "format": "similitude-case/1",
+        "grain": {"diameter": "80 um", "density": "2500 kg/m^3", "youngs_modulus": "63 GPa", "poisson_ratio": 0.23},
+        "plate": {"youngs_modulus": "70 GPa", "poisson_ratio": 0.22},
+        "model": {"physics": ["hertz_mindlin"], "parameters": {}},
+        "experiments": [{"id": "curve", "rig": "pull_off", "recording": "curve.csv", "role": "fit",
+            "conditions": {"counterpart": "plate", "preload": "50 uN", "cantilever_stiffness": "0.6 N/m"},
+            "noise": {"force": "0.1 uN"}}]})"}});
+    diagnose::Problem p = diagnose::problem_of(c);
+    const diagnose::Whitener w(p, diagnose::first_guess(p));
+    const std::vector<diagnose::Term> terms = diagnose::catalogue(p);
+    const auto adhesion = std::find_if(
+        terms.begin(), terms.end(), [](const diagnose::Term& t) { return t.effect == "adhesion"; });
+    REQUIRE(adhesion != terms.end());
+    const diagnose::Hypothesised h = diagnose::plus(p, p.hypothesis({}), *adhesion);
+    for (const double truth : {0.03, 0.09, 0.17}) {
+        VectorXd theta = diagnose::start_of(h.unknowns);
+        theta[theta.size() - 1] = truth;
+        p.recorded = diagnose::predicted(p, h, theta);
+        for (std::size_t k = 0; k < 300; ++k)
+            p.records[0].channels[0].recorded[k] = p.recorded[static_cast<Eigen::Index>(k)];
+        diagnose::Candidate base{.h = p.hypothesis({}), .fit = {}};
+        base.fit = diagnose::fit_base(p, w, base.h);
+        diagnose::Candidate found = diagnose::extended(p, w, base, *adhesion);
+        diagnose::deepen(p, w, found, &base);
+        INFO(truth);
+        CHECK(found.fit.objective() < 0.1);
+    }
+}
+
 TEST_CASE("minima: an angle of a full turn has no ends", "[diagnose]") {
     const cases::Case c = drops();
     const diagnose::Problem p = diagnose::problem_of(c);

@@ -173,3 +173,24 @@ TEST_CASE("prove: behind a spring the grain stands where spring and contact agre
     REQUIRE(f[2] == 0.0);
     REQUIRE(f[3] == 0.0);
 }
+
+// The force of the tail ends at its contact value A R/(6 h^2), h = 0.165 nm: up to there a spring that is drawn back finds the
+// grain where it touches.
+TEST_CASE("prove: behind a soft spring van der Waals' pull holds the grain where it touches",
+          "[prove]") {
+    Setup s = bead(Rig::pull_off, {Channel::force});
+    s.diameter = 20e-6, s.preload = 2e-6, s.cantilever_stiffness = 5.0;
+    World w;
+    w.hamaker_constant = 1e-19;
+    const double deepest = 1e-19 * s.r_star() / (6.0 * 0.165e-9 * 0.165e-9);
+    // In: it jumps where the pull grows faster than the spring, A R/(3 h^3) = k.
+    const double jump = std::cbrt(1e-19 * s.r_star() / (3.0 * 5.0));
+    s.at = {0.98 * deepest / 5.0, 1.02 * deepest / 5.0, 0.5 * jump, 3.0 * jump};
+    s.retract = {true, true, false, false};
+    const std::vector<double> f = predict(w, s);
+    REQUIRE(f[0] == Approx(-0.98 * deepest).epsilon(1e-9));
+    REQUIRE(std::abs(f[1]) < 1e-6 * deepest);
+    REQUIRE(f[2] == Approx(-5.0 * 0.5 * jump).epsilon(1e-9));
+    REQUIRE(f[3] ==
+            Approx(-1e-19 * s.r_star() / (6.0 * std::pow(s.at[3] + f[3] / 5.0, 2))).epsilon(1e-6));
+}

@@ -99,6 +99,29 @@ TEST_CASE("prove: separation is nothing where another term does the same", "[pro
     REQUIRE(mismatch(sk, truth).lambda > 25.0);
 }
 
+// Behind a soft spring a curve says how long the grain holds on, and little else: van der Waals' pull at contact may be as large
+// as adhesion's, and a row more or less that it holds is a step that no slope tells of.
+TEST_CASE("prove: adhesion that lets go at a force is not told from a tail that does", "[prove]") {
+    for (const double farthest : {40e-6, 62e-6}) {  // the pull-off force ends at 53 um
+        Skeleton sk;
+        sk.rig = Rig::pull_off;
+        sk.physics = {"hertz_mindlin"};
+        Setup s = bead(Rig::pull_off, {Channel::force});
+        s.diameter = 80e-6, s.preload = 50e-6, s.cantilever_stiffness = 0.6, s.noise = {3e-6};
+        s.at = evenly(farthest, -80e-6, 150);
+        const std::vector<double> back = evenly(-80e-6, farthest, 150);
+        s.retract.assign(150, false);
+        s.at.insert(s.at.end(), back.begin(), back.end());
+        s.retract.resize(300, true);
+        sk.stated = sk.truth = {s};
+        World truth = sk.world;
+        truth.work_of_adhesion = 0.17;
+        INFO(farthest);
+        CHECK(mismatch(sk, truth).lambda > 25.0);
+        CHECK(separation(sk, truth, {"adhesion"}).d < 0.2);
+    }
+}
+
 // Bounces out of step, pull-offs between others: a fit that takes a neighbour for the truth makes a key tell of a mismatch that
 // nobody can see. At the truth only what the priors take of it is left.
 TEST_CASE("prove: the user's model is found again wherever in its ranges it is", "[prove]") {
