@@ -188,20 +188,20 @@ Fit fit_from(const Skeleton& sk, const std::vector<const Term*>& terms,
 namespace {
 
 // A grain that lets go one row later moves a force curve by a step, which no slope tells of: places ever nearer to the best
-// value of the term's first unknown are tried, too.
+// value of the term's first unknown are tried, too, where the base lines are refitted.
 Fit closed_in(const Skeleton& sk, const Term& t, const std::vector<std::size_t>& list,
               const Eigen::VectorXd& wanted, Fit best) {
     if (t.unknowns.empty() || t.unknowns.front().in_world == nullptr ||
         sk.stated.front().rig != Rig::pull_off)
         return best;
     const Unknown& u = t.unknowns.front();
-    const std::vector<Unknown> unknowns = unknowns_with(sk, {&t}, list);
+    const std::vector<Unknown> others = base_unknowns(sk, list);
     for (double share = 0.05; share > 5e-4; share *= 0.5)
         for (const double sign : {-1.0, 1.0}) {
             World w = best.world;
             w.*u.in_world =
                 std::clamp(w.*u.in_world * std::pow(u.high / u.low, sign * share), u.low, u.high);
-            Fit f = fit(w, best.setups, unknowns, sk.noise, wanted, 3, 1e-3);
+            Fit f = fit(w, best.setups, others, sk.noise, wanted, 8, 1e-4);
             if (f.cost() < best.cost()) best = std::move(f);
         }
     return best;
