@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 #include <gsl/gsl_cdf.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace prove;
@@ -100,7 +101,7 @@ TEST_CASE("prove: separation is nothing where another term does the same", "[pro
 }
 
 // Behind a soft spring a curve says how long the grain holds on, and little else: van der Waals' pull at contact may be as large
-// as adhesion's, and a row more or less that it holds is a step that no slope tells of.
+// as adhesion's. A row more or less that it holds is a step that no slope tells of, and the base line leans on it.
 TEST_CASE("prove: adhesion that lets go at a force is not told from a tail that does", "[prove]") {
     for (const double farthest : {40e-6, 62e-6}) {  // the pull-off force ends at 53 um
         Skeleton sk;
@@ -110,15 +111,23 @@ TEST_CASE("prove: adhesion that lets go at a force is not told from a tail that 
         s.diameter = 80e-6, s.preload = 50e-6, s.cantilever_stiffness = 0.6, s.noise = {3e-6};
         s.at = evenly(farthest, -80e-6, 150);
         const std::vector<double> back = evenly(-80e-6, farthest, 150);
-        s.retract.assign(150, false);
         s.at.insert(s.at.end(), back.begin(), back.end());
-        s.retract.resize(300, true);
+        s.retract.assign(300, true);
+        std::fill_n(s.retract.begin(), 150, false);
         sk.stated = sk.truth = {s};
+        sk.truth[0].base_line = 3e-6, sk.truth[0].base_line_slope = 0.02;
+        for (const bool slope : {false, true}) {
+            Unknown u{.name = slope ? "base_line_slope@one" : "base_line@one"};
+            u.in_setup = slope ? &Setup::base_line_slope : &Setup::base_line;
+            u.experiment = 0, u.low = slope ? -1.0 : -1e-4, u.high = -u.low;
+            u.deviation = 0.3 * u.high;
+            sk.nuisances.push_back(u);
+        }
         World truth = sk.world;
         truth.work_of_adhesion = 0.17;
         INFO(farthest);
         CHECK(mismatch(sk, truth).lambda > 25.0);
-        CHECK(separation(sk, truth, {"adhesion"}).d < 0.2);
+        CHECK(separation(sk, truth, {"adhesion", "capillary_bridge"}).d < 0.2);
     }
 }
 
