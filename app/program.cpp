@@ -2,6 +2,7 @@
 #include "app/program.hpp"
 
 #include "app/bench.hpp"
+#include "app/convert.hpp"
 #include "app/diagnose.hpp"
 #include "app/exit_code.hpp"
 #include "app/prove.hpp"
@@ -77,7 +78,7 @@ int program(int argc, char** argv, const Judge& judge) {
     const std::string command = command_line(argc, argv);
     std::vector<Verb> verbs = {scale_verb(cli, command), simulate_verb(cli, command),
                                verify_verb(cli, command), bench_verb(cli, command),
-                               prove_verb(cli, command)};
+                               prove_verb(cli, command), convert_verb(cli, command)};
     if (judge) verbs.push_back(diagnose_verb(cli, command, judge));
     try {
         cli.parse(argc, argv);

@@ -5,6 +5,7 @@
 #include "engines/lammps_slump.hpp"
 #include "engines/lammps_two_grains.hpp"
 #include "scaling/errors.hpp"
+#include "tests/engines/scratch.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -12,7 +13,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
-#include <unistd.h>
 
 using Catch::Matchers::Contains;
 using Catch::Matchers::StartsWith;
@@ -42,14 +42,6 @@ engines::TwoGrains two_grains() {
     t.skin = 0.5;
     return t;
 }
-
-// A folder that is gone when the test ends.
-struct Scratch {
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("similitude-lammps-" + std::to_string(getpid()));
-    Scratch() { std::filesystem::create_directories(path); }
-    ~Scratch() { std::filesystem::remove_all(path); }
-};
 
 }  // namespace
 
@@ -158,7 +150,7 @@ TEST_CASE("lammps: where it is not installed the message names the package", "[e
 }
 
 TEST_CASE("lammps: what it complains of is passed on", "[engines][lammps]") {
-    const Scratch scratch;
+    const Scratch scratch("lammps");
     CHECK_THROWS_WITH(
         engines::run_lammps(engines::lammps_program(), scratch.path, "units nonsense\n", "", 60.0),
         Contains("ERROR") && Contains("units"));
@@ -167,7 +159,7 @@ TEST_CASE("lammps: what it complains of is passed on", "[engines][lammps]") {
 // Two grains fly past one another without touching: after 20 steps of 0.125 s grain 1 is where
 // 0.25 m/s and 0.5 m/s have taken it. Exact in binary.
 TEST_CASE("lammps: the real program moves two grains as the deck says", "[engines][lammps]") {
-    const Scratch scratch;
+    const Scratch scratch("lammps");
     engines::TwoGrains t = two_grains();
     t.grains[1].position = {0.0, 9.0, 0.0};
     const auto states = engines::run_two_grains(engines::lammps_program(), t,
