@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: MIT
+# What `cmake --install` puts where, what find_package(similitude) and pkg-config find there, and the Debian packages that cpack
+# makes of it (docs/install.md).
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(library_rooms scaling contact cases dem_min rigs statistics diagnose)
+
+install(TARGETS similitude RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+install(FILES packaging/similitude.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+install(FILES packaging/similitude.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME similitude COMPONENT program)
+install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT program)
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs COMPONENT program)
+install(DIRECTORY data/zirconia DESTINATION ${CMAKE_INSTALL_DATADIR}/similitude/examples COMPONENT program)
+
+install(TARGETS similitude_options EXPORT similitude COMPONENT library)
+foreach(room ${library_rooms})
+  set_target_properties(similitude_${room} PROPERTIES EXPORT_NAME ${room})
+  install(TARGETS similitude_${room} EXPORT similitude ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library)
+  install(DIRECTORY ${room} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/similitude COMPONENT library FILES_MATCHING PATTERN "*.hpp")
+endforeach()
+set(config_dir ${CMAKE_INSTALL_LIBDIR}/cmake/similitude)
+install(EXPORT similitude NAMESPACE similitude:: DESTINATION ${config_dir} FILE similitude-targets.cmake COMPONENT library)
+configure_file(packaging/similitude-config.cmake.in similitude-config.cmake @ONLY)
+write_basic_package_version_file(similitude-config-version.cmake COMPATIBILITY SameMinorVersion)
+# Static libraries, those that need others first.
+set(pkg_config_libs "")
+foreach(room ${library_rooms})
+  set(pkg_config_libs "-lsimilitude_${room} ${pkg_config_libs}")
+endforeach()
+configure_file(packaging/similitude.pc.in similitude.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/similitude-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/similitude-config-version.cmake
+  DESTINATION ${config_dir} COMPONENT library)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/similitude.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT library)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_PACKAGE_CONTACT "the similitude authors <similitude@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_COMPONENTS_ALL program library)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME similitude)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS lammps)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libsimilitude-dev)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "g++, pkg-config, libboost-dev, libeigen3-dev, libfmt-dev, libudunits2-dev, libcsv-dev, nlohmann-json3-dev")
+set(CPACK_STRIP_FILES ON)
+include(CPack)
