@@ -19,6 +19,9 @@ namespace {
 constexpr double much =
     25.0;  // chi squared by which two effects do better than one: the noise is looked at again
 
+// In log evidence behind the best: a search for deeper minima is not begun there.
+constexpr double out_of_reach = 300.0;
+
 // How many singles of most evidence, and pairs, go on to deeper minima, how many singles are paired with all others and how many
 // pairs are fitted: bounces and micro-slip take their time.
 struct Effort {
@@ -57,7 +60,10 @@ void Judge::fit_singles() {
     singles.assign(terms.size(), {});
     in_parallel(terms.size(), settings.threads,
                 [&](std::size_t k) { singles[k] = extended(problem, *whiten, base, terms[k]); });
-    const std::vector<std::size_t> best = best_of(singles, effort(problem).singles);
+    std::vector<std::size_t> best = best_of(singles, effort(problem).singles);
+    std::erase_if(best, [&](std::size_t k) {
+        return singles[k].log_evidence < singles[best.front()].log_evidence - out_of_reach;
+    });
     in_parallel(best.size(), settings.threads,
                 [&](std::size_t k) { deepen(problem, *whiten, singles[best[k]], &base); });
     // An effect's fit may have found a better place for the base parameters, too.

@@ -282,6 +282,12 @@ Mismatch test_of_mismatch(const Problem& p, const Whitener& w, const Hypothesise
 std::vector<Located> located(const Problem& p, const VectorXd& white, const VectorXd& difference,
                              double p_value) {
     const double all = white.squaredNorm();
+    std::map<std::string, double> of_channel;  // squares in all recordings
+    for (const Record& r : p.records)
+        for (const Channel& c : r.channels)
+            for (std::size_t k = 0; k < c.recorded.size(); ++k)
+                if (std::isfinite(c.recorded[k]))
+                    of_channel[c.name] += std::pow(white[static_cast<Index>(c.first + k)], 2);
     std::vector<std::pair<double, Located>> list;
     for (const Record& r : p.records) {
         for (const Channel& c : r.channels) {
@@ -330,8 +336,10 @@ std::vector<Located> located(const Problem& p, const VectorXd& white, const Vect
                   .p_value = p_value}});
         }
     }
-    std::stable_sort(list.begin(), list.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::stable_sort(list.begin(), list.end(), [&](const auto& a, const auto& b) {
+        const double one = of_channel[a.second.channel], other = of_channel[b.second.channel];
+        return one != other ? one > other : a.first > b.first;
+    });
     std::vector<Located> result;
     for (auto& entry : list) result.push_back(std::move(entry.second));
     return result;

@@ -53,8 +53,8 @@ Mismatch test_of_mismatch(const Problem&, const Whitener&, const Hypothesised& h
                           const std::vector<Shape>&, const std::vector<double>& innovations,
                           std::uint64_t seed, int draws);
 
-// The shortest interval of each channel's ordinate that holds 80 % of the squares of `white` (whitened mismatch), those with
-// the largest share of all squares first; channels with less than 2 % are left out. `difference`: the mismatch itself, SI.
+// The shortest interval of each channel's ordinate that holds 80 % of the squares of `white` (whitened mismatch), the
+// channel with most squares over all recordings first, and of each channel the recording with most; less than 2 % is left out. `difference`: the mismatch itself, SI.
 std::vector<Located> located(const Problem&, const Eigen::VectorXd& white,
                              const Eigen::VectorXd& difference, double p_value);
 
