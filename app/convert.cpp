@@ -16,8 +16,6 @@
 
 #include <cmath>
 #include <memory>
-#include <numbers>
-#include <optional>
 
 namespace app {
 namespace {
@@ -66,13 +64,14 @@ StatedGrain grain_of(const GrainOptions& o) {
         g.youngs_modulus = positive(o.youngs_modulus, "Pa", "--youngs-modulus");
         g.poisson_ratio = o.poisson_ratio, g.stiffness_stated = true;
     }
-    const contact::Material m{g.youngs_modulus * scaling::si::pascals, g.poisson_ratio, {}};
+    const contact::Material m{g.youngs_modulus * scaling::si::pascals, g.poisson_ratio,
+                              scaling::Density::from_value(g.density)};
     const double radius = 0.5 * g.diameter;
     g.pair = {
         .r_star = o.wall ? radius : 0.5 * radius,
         .e_star = contact::e_star(m, m).value(),
         .radius = radius,
-        .weight = g.density * 4.0 / 3.0 * std::numbers::pi * radius * radius * radius * 9.80665,
+        .weight = contact::sphere_mass(m, scaling::Length::from_value(radius)).value() * 9.80665,
         .wall = o.wall};
     return g;
 }
@@ -127,6 +126,20 @@ std::string grain_words(const StatedGrain& g) {
                        g.stated ? "" : " (assumed: state --diameter, --density or --case)");
 }
 
+const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
+
+// `more` stands between the value and where it comes from.
+template <class Convention>
+Json told(const Convention& c, double value, const Json& more = Json::object()) {
+    Json j{{"name", c.name},
+           {"engine", c.engine},
+           {"parameter", c.parameter},
+           {"value", number(value)}};
+    j.update(more);
+    j["differs"] = c.differs, j["source"] = c.source;
+    return j;
+}
+
 void give(const CommonOptions& o, const Json& json, const std::string& text) {
     print(o, text);
     write_results(o, json, [] { return reports::Page{}; });
@@ -156,21 +169,14 @@ int adhesion(const ConvertOptions& o, const std::string& command) {
     Json json = start("adhesion", command);
     json["grain"] = grain_json(g);
     json["keep"] = o.keep;
-    const auto number = [](double x) { return std::isfinite(x) ? Json(x) : Json(nullptr); };
-    const auto told = [&](const engines::AdhesionConvention& c, double v, double f) {
-        const double work = c.work_of_adhesion(f, g.pair);
-        return Json{{"name", c.name},
-                    {"engine", c.engine},
-                    {"parameter", c.parameter},
-                    {"value", number(v)},
-                    {"unit", c.unit},
-                    {"pull_off_force", number(f)},
-                    {"pull_off_in_grain_weights", number(f / g.pair.weight)},
-                    {"work_of_adhesion", number(work)},
-                    {"differs", c.differs},
-                    {"source", c.source}};
+    const auto pulling = [&](const engines::AdhesionConvention& c, double v, double f) {
+        return told(c, v,
+                    {{"unit", c.unit},
+                     {"pull_off_force", number(f)},
+                     {"pull_off_in_grain_weights", number(f / g.pair.weight)},
+                     {"work_of_adhesion", number(c.work_of_adhesion(f, g.pair))}});
     };
-    json["from"] = told(from, value, force);
+    json["from"] = pulling(from, value, force);
     json["to"] = Json::array();
     std::vector<std::vector<std::string>> rows{
         {"convention", "parameter", "value", "pull-off", "grain weights", "differs from JKR"}};
@@ -197,14 +203,11 @@ int adhesion(const ConvertOptions& o, const std::string& command) {
     if (!is_unpublished) targets = chosen(engines::adhesion_conventions(), o.to, "--to");
     for (const engines::AdhesionConvention* c : targets) {
         if (c == &from && o.to.empty()) continue;
-        double wanted = force, v = std::nan("");
-        if (keep_work)
-            wanted = c->pull == engines::Pull::jkr   ? 1.5 * std::numbers::pi * w * g.pair.r_star
-                     : c->pull == engines::Pull::dmt ? 2.0 * std::numbers::pi * w * g.pair.r_star
-                                                     : std::nan("");
+        const double wanted = keep_work ? c->pull_off_of_work(w, g.pair) : force;
+        double v = std::nan("");
         if (!needs_stiffness(*c) && std::isfinite(wanted)) v = c->value(wanted, g.pair);
         outside = outside || (!o.to.empty() && !std::isfinite(v));
-        json["to"].push_back(told(*c, v, wanted));
+        json["to"].push_back(pulling(*c, v, wanted));
         row(*c, v, wanted);
         if (!o.to.empty())
             notes += "\n" + reports::wrapped(
@@ -237,20 +240,19 @@ int rolling(const ConvertOptions& o, const std::string& command) {
     Json json = start("rolling", command);
     json["grain"] = grain_json(g);
     json["lever"] = lever;
-    json["to"] = Json::array();
     std::vector<std::vector<std::string>> rows{{"convention", "parameter", "value", "note"}};
-    const auto add = [&](const engines::RollingConvention& c, double v, bool target) {
-        const Json told{{"name", c.name}, {"engine", c.engine},   {"parameter", c.parameter},
-                        {"value", v},     {"differs", c.differs}, {"source", c.source}};
-        if (target)
-            json["to"].push_back(told);
-        else
-            json["from"] = told;
+    const auto row = [&](const engines::RollingConvention& c, double v) {
         rows.push_back({c.name, c.parameter, fmt::format("{:.6g}", v), c.differs});
     };
-    add(from, value, false);
-    for (const auto* c : chosen(engines::rolling_conventions(), o.to, "--to"))
-        if (c != &from || !o.to.empty()) add(*c, lever / c->lever(g.pair), true);
+    json["from"] = told(from, value);
+    json["to"] = Json::array();
+    row(from, value);
+    for (const auto* c : chosen(engines::rolling_conventions(), o.to, "--to")) {
+        if (c == &from && o.to.empty()) continue;
+        const double v = lever / c->lever(g.pair);
+        json["to"].push_back(told(*c, v));
+        row(*c, v);
+    }
     give(o.common, json,
          fmt::format("{}: the normal force has a lever of {} against rolling\n\n{}",
                      g.pair.wall ? "A grain at a wall" : "Two equal grains",
@@ -266,12 +268,7 @@ int damping(const ConvertOptions& o, const std::string& command) {
     json["to"] = Json::array();
     std::vector<std::vector<std::string>> rows{{"convention", "parameter", "value", "note"}};
     for (const auto* c : chosen(engines::damping_conventions(), o.to, "--to")) {
-        json["to"].push_back({{"name", c->name},
-                              {"engine", c->engine},
-                              {"parameter", c->parameter},
-                              {"value", c->value(e)},
-                              {"differs", c->differs},
-                              {"source", c->source}});
+        json["to"].push_back(told(*c, c->value(e)));
         rows.push_back({c->name, c->parameter, fmt::format("{:.6g}", c->value(e)), c->differs});
     }
     give(o.common, json,

@@ -137,9 +137,12 @@ void Judge::refit_all() {
                 [&](std::size_t k) { refit(problem, *whiten, pairs[k], nullptr); });
 }
 
-Mismatch Judge::test(const Candidate& c, int n) const {
-    const std::vector<Shape> list = shapes(problem, *whiten, c.h, c.fit, terms);
+Mismatch Judge::test(const Candidate& c, const std::vector<Shape>& list, int n) const {
     return test_of_mismatch(problem, *whiten, c.h, c.fit, list, innovations, settings.seed, n);
+}
+
+std::vector<Shape> Judge::shapes_about(const Candidate& c) const {
+    return shapes(problem, *whiten, c.h, c.fit, terms);
 }
 
 // Of the largest drop in chi squared by a single effect, where nothing was left out: chi squared of its unknowns and one more,
@@ -159,8 +162,9 @@ double Judge::p_of_best_gain() const {
 }
 
 double Judge::own_p(const Candidate& c) const {
-    const double p = test(c, 399).p_value;
-    return p > 10.0 * own_level ? p : test(c, 1999).p_value;
+    const std::vector<Shape> list = shapes_about(c);
+    const double p = test(c, list, few_draws).p_value;
+    return p > 10.0 * own_level ? p : test(c, list, many_draws).p_value;
 }
 
 // Whether the effect of most evidence leaves nothing to a second one: it passes its own test of mismatch and all gates, and no

@@ -17,6 +17,8 @@ namespace diagnose {
 
 constexpr double own_level = 0.003;  // below it a model fails its own test of mismatch
 
+constexpr int few_draws = 399, many_draws = 1999;
+
 struct Judge {
     const cases::Case& given;
     const Settings& settings;
@@ -58,7 +60,8 @@ struct Judge {
     void
     set_outliers_aside();  // single values far from what even the best fit says; the verdict warns
     void refit_all();
-    Mismatch test(const Candidate&, int draws) const;
+    std::vector<Shape> shapes_about(const Candidate&) const;
+    Mismatch test(const Candidate&, const std::vector<Shape>&, int draws) const;
     // Of its own test of mismatch; more draws where a few leave it near own_level.
     double own_p(const Candidate&) const;
     bool one_is_enough() const;

@@ -283,11 +283,6 @@ std::vector<Located> located(const Problem& p, const VectorXd& white, const Vect
                              double p_value) {
     const double all = white.squaredNorm();
     std::map<std::string, double> of_channel;  // squares in all recordings
-    for (const Record& r : p.records)
-        for (const Channel& c : r.channels)
-            for (std::size_t k = 0; k < c.recorded.size(); ++k)
-                if (std::isfinite(c.recorded[k]))
-                    of_channel[c.name] += std::pow(white[static_cast<Index>(c.first + k)], 2);
     std::vector<std::pair<double, Located>> list;
     for (const Record& r : p.records) {
         for (const Channel& c : r.channels) {
@@ -299,6 +294,7 @@ std::vector<Located> located(const Problem& p, const VectorXd& white, const Vect
                 rows.push_back({r.ordinates.at[k], at});
                 total += white[at] * white[at];
             }
+            of_channel[c.name] += total;
             if (rows.size() < 2 || total < 0.02 * all || total <= 0.0) continue;
             std::stable_sort(rows.begin(), rows.end(),
                              [](const auto& a, const auto& b) { return a.first < b.first; });

@@ -19,7 +19,7 @@ double density_for(double pull_off, double area, const Pair& p) {
 }
 
 double area_per_overlap(const AdhesionConvention& c, const Pair& p) {
-    return (p.wall ? c.wall_factor : c.factor) * pi * p.r_star;
+    return (p.wall ? c.at_wall : 1.0) * c.factor * pi * p.r_star;
 }
 
 double as_it_is(double e) { return e; }
@@ -47,64 +47,67 @@ double AdhesionConvention::value(double force, const Pair& p) const {
     return force / (factor * pi * p.r_star);
 }
 
+double AdhesionConvention::pull_off_of_work(double w, const Pair& p) const {
+    if (pull == Pull::per_area) return std::numeric_limits<double>::quiet_NaN();
+    return (pull == Pull::jkr ? 1.5 : 2.0) * pi * w * p.r_star;
+}
+
 double AdhesionConvention::work_of_adhesion(double force, const Pair& p) const {
-    if (pull == Pull::jkr) return force / (1.5 * pi * p.r_star);
-    if (pull == Pull::dmt) return force / (2.0 * pi * p.r_star);
-    return std::numeric_limits<double>::quiet_NaN();
+    return force / pull_off_of_work(1.0, p);
 }
 
 const std::vector<AdhesionConvention>& adhesion_conventions() {
     static const std::vector<AdhesionConvention> table{
-        {"work_of_adhesion", "JKR as in similitude's cases", "w", "J/m^2", Pull::jkr, 1.5, 1.5, "",
+        {"work_of_adhesion", "JKR as in similitude's cases", "w", "J/m^2", Pull::jkr, 1.5, "",
          "Johnson, Kendall & Roberts (1971): 3/2 pi w R*"},
         {"surface_energy", "JKR told by the energy of one surface", "gamma", "J/m^2", Pull::jkr,
-         3.0, 3.0, "", "w = 2 gamma of like solids"},
-        {"lammps_jkr", "LAMMPS, pair_style granular, jkr", "gamma", "J/m^2", Pull::jkr, 3.0, 3.0,
+         3.0, "", "w = 2 gamma of like solids"},
+        {"lammps_jkr", "LAMMPS, pair_style granular, jkr", "gamma", "J/m^2", Pull::jkr, 3.0,
          "ends at the deepest tension, not at the fold: half of the work of a tear-off",
          "gran_sub_mod_normal: 3 pi gamma R*; measured (tests/engines)"},
-        {"lammps_dmt", "LAMMPS, pair_style granular, dmt", "gamma", "J/m^2", Pull::dmt, 4.0, 4.0,
+        {"lammps_dmt", "LAMMPS, pair_style granular, dmt", "gamma", "J/m^2", Pull::dmt, 4.0,
          "a constant pull that ends at touch", "gran_sub_mod_normal: 4 pi gamma R*; measured"},
         {"liggghts_sjkr", "LIGGGHTS, cohesion sjkr", "cohesionEnergyDensity", "J/m^3",
-         Pull::per_area, 2.0, 2.0,
+         Pull::per_area, 2.0,
          "no JKR: no pull at touch and none across a gap; the value holds for this grain, modulus "
          "and partner alone",
          "its manual: k times the circle where the spheres cut, 2 pi R* per overlap at small "
          "overlaps"},
         {"liggghts_sjkr2", "LIGGGHTS, cohesion sjkr2", "cohesionEnergyDensity", "J/m^3",
-         Pull::per_area, 4.0, 2.0,
+         Pull::per_area, 4.0,
          "no JKR: no pull at touch and none across a gap; the value holds for this grain, modulus "
          "and partner alone",
-         "its manual: A = 2 pi overlap 2 R*; at a wall 2 pi overlap R"},
+         "its manual: A = 2 pi overlap 2 R*; at a wall 2 pi overlap R", 0.5},
         {"yade_dmt", "Yade, MindlinPhys with includeAdhesion", "gamma", "J/m^2", Pull::dmt, 4.0,
-         4.0, "a constant pull that ends at touch", "HertzMindlin.cpp: 4 pi gamma R*; measured"},
-        {"mercurydpm_jkr", "MercuryDPM, JKRAdhesive", "surfaceEnergy", "J/m^2", Pull::jkr, 1.5, 1.5,
+         "a constant pull that ends at touch", "HertzMindlin.cpp: 4 pi gamma R*; measured"},
+        {"mercurydpm_jkr", "MercuryDPM, JKRAdhesive", "surfaceEnergy", "J/m^2", Pull::jkr, 1.5,
          "no JKR: 3/2 pi w R* at touch, falling in a straight line over a gap that the user sets",
          "JKRAdhesiveInteraction.cc"},
-        {"musen_jkr", "MUSEN, JKR", "surface energy", "J/m^2", Pull::jkr, 1.5, 1.5,
+        {"musen_jkr", "MUSEN, JKR", "surface energy", "J/m^2", Pull::jkr, 1.5,
          "contact radius of Hertz: deepest inside the contact, no pull at touch; sqrt(gamma1 "
          "gamma2) is taken for w, "
          "without the 2 of like solids",
          "source: sqrt(8 pi E* gamma a^3)"},
         {"kratos_jkr", "Kratos, DEM_D_JKR_Cohesion", "PARTICLE_COHESION", "J/m^2", Pull::jkr, 1.5,
-         1.5, "contact radius of Hertz: deepest inside the contact, no pull at touch",
+         "contact radius of Hertz: deepest inside the contact, no pull at touch",
          "DEM_D_JKR_Cohesion"},
         {"kratos_dmt", "Kratos, DEM_D_DMT_Cohesion", "PARTICLE_COHESION", "J/m^2", Pull::dmt, 2.0,
-         2.0, "a constant pull that ends at touch", "DEM_D_DMT_Cohesion: 2 pi c R*"},
-        {"lethe_jkr", "Lethe, JKR", "surface energy", "J/m^2", Pull::jkr, 3.0, 3.0,
+         "a constant pull that ends at touch", "DEM_D_DMT_Cohesion: 2 pi c R*"},
+        {"lethe_jkr", "Lethe, JKR", "surface energy", "J/m^2", Pull::jkr, 3.0,
          "ends at touch: 8/9 of the pull-off force is the most that acts",
          "particle_particle_contact_force.h: w = 2 sqrt(gamma1 gamma2)"},
-        {"lethe_dmt", "Lethe, DMT", "surface energy", "J/m^2", Pull::dmt, 4.0, 4.0,
+        {"lethe_dmt", "Lethe, DMT", "surface energy", "J/m^2", Pull::dmt, 4.0,
          "with van der Waals' tail outside the contact", "particle_particle_contact_force.h"},
-        {"exadem_dmt", "exaDEM, DMT", "gamma", "J/m^2", Pull::dmt, 2.0, 2.0,
+        {"exadem_dmt", "exaDEM, DMT", "gamma", "J/m^2", Pull::dmt, 2.0,
          "over Hooke's springs, not Hertz'", "source: 2 pi gamma R*"},
-        {"cabanapd_jkr", "CabanaPD, HertzianJKR", "gamma", "J/m^2", Pull::jkr, 3.0, 3.0,
+        {"cabanapd_jkr", "CabanaPD, HertzianJKR", "gamma", "J/m^2", Pull::jkr, 3.0,
          "in or out is told by the sign of the speed, not by history", "Gamma = 2 gamma, PR 204"},
         {"edem_v1_equations", "EDEM, JKR, by its equations of force and overlap", "surface energy",
-         "J/m^2", Pull::jkr, 3.0, 3.0,
+         "J/m^2", Pull::jkr, 3.0,
          "the same curve both ways: it pulls before touch, and costs no work",
          "help.altair.com: 4 sqrt(pi gamma E*) a^1.5, whose deepest tension is 3 pi gamma R*"},
         {"edem_v1_text", "EDEM, JKR, by the pull-out force that its page states", "surface energy",
-         "J/m^2", Pull::jkr, 1.5, 1.5,
+         "J/m^2", Pull::jkr, 1.5,
          "the page contradicts its own equations by a factor 2: measure one pull-off before "
          "relying on either",
          "help.altair.com: F_pullout = 3/2 pi gamma R*"},

@@ -31,16 +31,17 @@ struct AdhesionConvention {
     std::string unit;       // SI
     Pull pull;
     double
-        factor;  // jkr, dmt: pull-off force = factor pi R* value; per_area: area = factor pi R* overlap (at a wall wall_factor)
-    double wall_factor;
+        factor;  // jkr, dmt: pull-off force = factor pi R* value; per_area: area = factor pi R* overlap
     std::string differs;  // from JKR as it is, in a sentence; may be empty
     std::string source;
+    double at_wall = 1.0;  // per_area: the area at a wall over that between grains of one R*
 
     // N, the largest tension, for a value in SI units; and back. Both > 0.
     double pull_off(double value, const Pair&) const;
     double value(double pull_off, const Pair&) const;
-    // J/m^2, w of the JKR or DMT law with that pull-off; NaN for per_area, which has none.
+    // J/m^2, w of the JKR or DMT law with that pull-off, and back; NaN for per_area, which has none.
     double work_of_adhesion(double pull_off, const Pair&) const;
+    double pull_off_of_work(double work_of_adhesion, const Pair&) const;
 };
 
 const std::vector<AdhesionConvention>& adhesion_conventions();

@@ -100,6 +100,9 @@ std::vector<std::vector<double>> best_of_grid(const Skeleton& sk, const Term& t,
     return best;
 }
 
+// A grain that lets go one row later moves a force curve by a step, which no slope tells of.
+bool has_steps(const Skeleton& sk) { return sk.stated.front().rig == Rig::pull_off; }
+
 // What the priors take of the truth itself: no wrong term is charged with that.
 double penalty_of_truth(const Skeleton& sk, const std::vector<std::size_t>& list) {
     double sum = 0.0;
@@ -157,7 +160,6 @@ Fit fit_from(const Skeleton& sk, const std::vector<const Term*>& terms,
              const std::vector<std::size_t>& list, const Eigen::VectorXd& wanted, const Fit& begin,
              const std::vector<std::vector<double>>& starts, int iterations) {
     const std::vector<Unknown> unknowns = unknowns_with(sk, terms, list);
-    const bool steps = sk.stated.front().rig == Rig::pull_off;
     // A few steps from every start, the rest from the best place.
     const int tries = starts.size() > 1 ? 3 : iterations;
     Fit best;
@@ -171,7 +173,8 @@ Fit fit_from(const Skeleton& sk, const std::vector<const Term*>& terms,
             w = with_values(*t, {first, last}, w, setups);
             first = last;
         }
-        if (steps) {  // the base line first: a step of all would be as short as a jump of the force allows
+        if (has_steps(
+                sk)) {  // the base line first: a step of all would be as short as a jump of the force allows
             const Fit near = fit(w, setups, base_unknowns(sk, list), sk.noise, wanted, 3, 1e-3);
             w = near.world, setups = near.setups;
         }
@@ -187,13 +190,10 @@ Fit fit_from(const Skeleton& sk, const std::vector<const Term*>& terms,
 
 namespace {
 
-// A grain that lets go one row later moves a force curve by a step, which no slope tells of: places ever nearer to the best
-// value of the term's first unknown are tried, too, where the base lines are refitted.
+// Places ever nearer to the best value of the term's first unknown, where the base lines are refitted.
 Fit closed_in(const Skeleton& sk, const Term& t, const std::vector<std::size_t>& list,
               const Eigen::VectorXd& wanted, Fit best) {
-    if (t.unknowns.empty() || t.unknowns.front().in_world == nullptr ||
-        sk.stated.front().rig != Rig::pull_off)
-        return best;
+    if (!has_steps(sk) || t.unknowns.empty() || t.unknowns.front().in_world == nullptr) return best;
     const Unknown& u = t.unknowns.front();
     const std::vector<Unknown> others = base_unknowns(sk, list);
     for (double share = 0.05; share > 5e-4; share *= 0.5)

@@ -10,21 +10,8 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-double fastest(const Skeleton& sk) {
-    double v = 0.0;
-    for (const Setup& s : sk.truth)
-        v = std::max({v, std::abs(s.speed), std::sqrt(2.0 * s.gravity * s.height)});
-    return v;
-}
-
-double smallest_radius(const Skeleton& sk) {
-    double r = sk.truth.front().radius();
-    for (const Setup& s : sk.truth) r = std::min(r, s.radius());
-    return r;
-}
-
 std::function<void(World&, double)> physical(const Term& t, const Skeleton& sk, Dice& dice) {
-    const double r = smallest_radius(sk), v = fastest(sk);
+    const double r = smallest_radius(sk.truth), v = fastest(sk.truth);
     const double sign = dice.chance(0.5) ? 1.0 : -1.0;
     const std::string& e = t.effect;
     if (e == "air_drag") return [](World& w, double s) { w.drag = 4.0 * s; };

@@ -20,24 +20,10 @@ Unknown of_world(const char* name, double World::*place, double low, double high
     return u;
 }
 
-double smallest_radius(const std::vector<Setup>& setups) {
-    double r = std::numeric_limits<double>::infinity();
-    for (const Setup& s : setups) r = std::min(r, s.radius());
-    return r;
-}
-
 bool records(const std::vector<Setup>& setups, Channel c) {
     for (const Setup& s : setups)
         if (std::find(s.recorded.begin(), s.recorded.end(), c) != s.recorded.end()) return true;
     return false;
-}
-
-// m/s: the fastest that any experiment states or falls to.
-double fastest(const std::vector<Setup>& setups) {
-    double v = 0.0;
-    for (const Setup& s : setups)
-        v = std::max(v, std::hypot(s.speed, std::sqrt(2.0 * s.gravity * s.height)));
-    return v > 0.0 ? v : 1.0;
 }
 
 // The ranges below are those of docs/diagnose.md: what a user of the tool is told that can be.
@@ -181,6 +167,19 @@ std::vector<Term> physical(const std::vector<Setup>& setups) {
 }
 
 }  // namespace
+
+double smallest_radius(const std::vector<Setup>& setups) {
+    double r = std::numeric_limits<double>::infinity();
+    for (const Setup& s : setups) r = std::min(r, s.radius());
+    return r;
+}
+
+double fastest(const std::vector<Setup>& setups) {
+    double v = 0.0;
+    for (const Setup& s : setups)
+        v = std::max(v, std::hypot(s.speed, std::sqrt(2.0 * s.gravity * s.height)));
+    return v > 0.0 ? v : 1.0;
+}
 
 std::vector<Term> terms(const std::vector<Setup>& setups, const std::vector<std::string>& listed) {
     std::vector<Term> all;

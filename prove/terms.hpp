@@ -16,6 +16,9 @@ struct Term {
     bool micro_slip = false;          // switches it on
 };
 
+double smallest_radius(const std::vector<Setup>&);  // m
+double fastest(const std::vector<Setup>&);          // m/s, that any experiment states or falls to
+
 // All that can act in these experiments (one rig) and is not in `listed`. Ranges follow from the grains: the charge from the
 // breakdown of air, the bridge from the size, offsets from what is recorded.
 std::vector<Term> terms(const std::vector<Setup>&, const std::vector<std::string>& listed);

@@ -139,6 +139,26 @@ TEST_CASE("a soft cantilever stays on until the pull-off force, and then jumps o
     REQUIRE(force(e, sticky(w), -1e-4, true) == Approx(k * 1e-4).epsilon(0.01));
 }
 
+// The drive's reading is written down for a contact that is known: x = -overlap - F/k, from Hertz' law and from JKR's two equations
+// (Johnson, Kendall & Roberts 1971), stiff and soft against the contact.
+TEST_CASE("behind a cantilever spring and contact carry the same force",
+          "[rigs][forward][pull_off][exact]") {
+    const World bare = a_world({"hertz_mindlin"}, {});
+    const double w = 0.1;
+    for (const char* stiffness : {"20 N/m", "1000000 N/m"}) {
+        const double k = std::stod(stiffness);
+        const cases::Experiment e =
+            driven(force_curve("plate", {{"cantilever_stiffness", stiffness}}));
+        for (const double a : {4e-6, 2e-5}) {  // contact radius; the deepest tension has 3.5e-6
+            const double hertz = 4.0 / 3.0 * e_star * a * a * a / radius, deep = a * a / radius;
+            REQUIRE(force(e, bare, -deep - hertz / k, true) == Approx(hertz).epsilon(1e-11));
+            const double jkr = hertz - std::sqrt(8.0 * pi * w * e_star * a * a * a),
+                         overlap = deep - std::sqrt(2.0 * pi * w * a / e_star);
+            REQUIRE(force(e, sticky(w), -overlap - jkr / k, true) == Approx(jkr).epsilon(1e-9));
+        }
+    }
+}
+
 TEST_CASE("every effect moves a force curve", "[rigs][forward][pull_off][liveness]") {
     using Parameters = std::map<std::string, double>;
     const auto [effect, parameters] = GENERATE(table<std::string, Parameters>({

@@ -3,6 +3,7 @@
 #include "verify/against_lammps.hpp"
 
 #include "engines/lammps_run.hpp"
+#include "tests/engines/scratch.hpp"
 #include "verify/lammps_heaps.hpp"
 #include "verify/lammps_two_grains.hpp"
 
@@ -10,15 +11,8 @@
 
 #include <cmath>
 #include <filesystem>
-#include <unistd.h>
 
 namespace {
-
-struct Scratch {
-    std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("similitude-against-" + std::to_string(getpid()));
-    ~Scratch() { std::filesystem::remove_all(path); }
-};
 
 void require_all(const std::vector<verify::Check>& checks, std::size_t at_least) {
     for (const verify::Check& c : checks) {
@@ -34,20 +28,20 @@ void require_all(const std::vector<verify::Check>& checks, std::size_t at_least)
 
 TEST_CASE("two grains led together and apart feel in the core what they feel in LAMMPS",
           "[verify][lammps]") {
-    const Scratch scratch;
+    const Scratch scratch("against");
     require_all(verify::led_checks(engines::lammps_program(), scratch.path), 13);
 }
 
 TEST_CASE("two grains thrown at one another move in the core as they move in LAMMPS",
           "[verify][lammps]") {
-    const Scratch scratch;
+    const Scratch scratch("against");
     require_all(verify::thrown_checks(engines::lammps_program(), scratch.path), 30);
 }
 
 // A core that is told another friction by 1 part in 1e4 must be seen to differ; so must one that
 // rolls more easily. 1e-6 is the bar of the checks above.
 TEST_CASE("a core with slightly other rules does not pass for LAMMPS", "[verify][lammps]") {
-    const Scratch scratch;
+    const Scratch scratch("against");
     const engines::TwoGrains right =
         verify::thrown_pair({.name = "right", .angle_deg = 60.0, .spin = 1.0});
     const auto lammps = engines::run_two_grains(engines::lammps_program(), right,
@@ -66,7 +60,7 @@ TEST_CASE("a core with slightly other rules does not pass for LAMMPS", "[verify]
 // Each listed difference is there: if LAMMPS or the core took over the other's rule, the list would
 // be wrong. 1e-3: far above the 1e-7 that is left where the rules are one.
 TEST_CASE("the rules that are listed as different do differ", "[verify][lammps]") {
-    const Scratch scratch;
+    const Scratch scratch("against");
     const auto differences = verify::rule_differences(engines::lammps_program(), scratch.path);
     REQUIRE(differences.size() == 8);
     for (const verify::RuleDifference& d : differences) {
