@@ -2,7 +2,7 @@
 # Sourced by ./check. Installs the Debian packages that are missing, and nothing else.
 
 build_packages="g++ cmake ninja-build pkg-config libboost-dev libeigen3-dev libgsl-dev libfmt-dev libcli11-dev
-    nlohmann-json3-dev libudunits2-dev libcsv-dev librandom123-dev libkainjow-mustache-dev"
+    nlohmann-json3-dev libudunits2-dev libcsv-dev librandom123-dev libkainjow-mustache-dev libstb-dev"
 test_packages="catch2 python3-vtk9 lammps dpkg-dev"
 
 missing_packages() {

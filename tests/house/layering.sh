@@ -4,7 +4,7 @@
 # Also: JSON is seen by cases, reports and app alone; contact and dem_min see neither JSON nor GSL nor Eigen.
 set -eu
 root=${1:-.}
-places="scaling contact,cases dem_min rigs engines,statistics calibrate,diagnose,prove,verify,bench reports app"
+places="scaling contact,cases dem_min rigs engines,statistics calibrate,diagnose,prove,verify,bench,photo reports app"
 faults=0
 fault() { echo "$1"; faults=1; }
 allowed=""
