@@ -5,6 +5,7 @@
 #include "app/convert.hpp"
 #include "app/diagnose.hpp"
 #include "app/exit_code.hpp"
+#include "app/photo.hpp"
 #include "app/prove.hpp"
 #include "app/scale.hpp"
 #include "app/simulate.hpp"
@@ -78,7 +79,8 @@ int program(int argc, char** argv, const Judge& judge) {
     const std::string command = command_line(argc, argv);
     std::vector<Verb> verbs = {scale_verb(cli, command), simulate_verb(cli, command),
                                verify_verb(cli, command), bench_verb(cli, command),
-                               prove_verb(cli, command), convert_verb(cli, command)};
+                               prove_verb(cli, command), convert_verb(cli, command),
+                               photo_verb(cli, command)};
     if (judge) verbs.push_back(diagnose_verb(cli, command, judge));
     try {
         cli.parse(argc, argv);

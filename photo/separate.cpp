@@ -166,7 +166,7 @@ Classes two_classes(const Image& image, double sign) {
             const bool heap = c.place(image.t[k], x(k), y(k)) > 0.5;
             changed += heap != (on[k] != 0), on[k] = heap;
         }
-        if (changed == 0) break;
+        if (changed * 1000 < on.size()) break;  // noise goes on flipping a few
     }
     return c;
 }

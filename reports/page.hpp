@@ -25,6 +25,7 @@ struct Page {
     std::optional<Verification>
         verification{};  // its comparisons become sections, after those of `runs`
     std::vector<RunSection> runs{};
+    std::string runs_heading{};  // empty: by what is in the page
     std::optional<diagnose::Verdict> diagnosis{};
     std::string checks_heading = "Exact answers";
     std::vector<std::string> limits{};  // what the result does not show, a sentence each
