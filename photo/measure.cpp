@@ -315,6 +315,19 @@ bool Attempt::fit(const BaseLine& base, Judge& judge) {
         return false;
     const Side left_side = side_of(outline.points, outline.apex, height, true, cut_left > 0.0);
     const Side right_side = side_of(outline.points, outline.apex, height, false, cut_right > 0.0);
+    if (!settings.base && region.touches_left && region.touches_right && left_side.foot &&
+        right_side.foot) {
+        double flat = 0.0, all = 0.0;
+        for (const EdgePoint& p : outline.points) {
+            const double along = p.along - outline.apex;
+            if (-along <= *left_side.foot && along <= *right_side.foot) continue;
+            all += 1.0, flat += std::abs(p.above) <= 3.0;
+        }
+        if (!judge.at_least("share_of_table_on_base_line", all > 0.0 ? flat / all : 1.0, 0.7, 0.9,
+                            "What lies beside the heap is no straight table: state the base line "
+                            "by two points, or light more evenly"))
+            return false;
+    }
     const auto l = fit_flank(left_side.points, height, settings.seed),
                r = fit_flank(right_side.points, height, settings.seed + 1);
     if (!judge.holds(

@@ -278,8 +278,9 @@ std::vector<std::string> limits_of(const photo::Measurement& m) {
         "lens level with the apex, or as stated.",
         "Pixels are taken as square and lines as straight: a picture stretched by hand, or the "
         "edge of a wide-angle lens, is not corrected.",
-        "The angle is against the line the heap stands on, wherever that points: a table that is "
-        "not level is not noticed."};
+        "The angle is against the red line, which should be what the heap stands on: where it is "
+        "not, state the base line. A table that is not level is not "
+        "noticed."};
     if (m.heap)
         limits.emplace_back(
             "The interval covers roughness, blur and light, and left against right; it does not "
