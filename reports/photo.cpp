@@ -195,9 +195,11 @@ std::string drawn(const photo::Picture& picture, const photo::Measurement& m,
 Verdict verdict_of(const photo::Measurement& m) {
     if (!m.heap) {
         const scaling::Finding& f = m.findings.back();
+        const bool numeric = f.rule.starts_with('>') || f.rule.starts_with('<');
         return {Answer::cannot_tell, "No angle can be read from this picture",
-                fmt::format("{}: {} is {}, must be {}.", f.text, words(f.name), number(f.value),
-                            f.rule)};
+                numeric ? fmt::format("{}: {} is {}, must be {}.", f.text, words(f.name),
+                                      number(f.value), f.rule)
+                        : fmt::format("{}. Needed: {}.", f.text, f.rule)};
     }
     const photo::Heaped& h = *m.heap;
     return {
