@@ -3,31 +3,27 @@
 // throughout, nothing rounded: text carries as many digits as give back the same double.
 #pragma once
 
-#include "contact/vec3.hpp"
+#include "rigs/frame.hpp"
 
-#include <cstdint>
 #include <ostream>
 #include <string>
 #include <vector>
 
 namespace reports {
 
-// Shape of every array: [grains].
-struct Frame {
-    std::int64_t step = 0;
-    double time = 0.0;             // s
-    contact::Vec3 low, high;       // m: corners of a box that holds all grains
-    std::vector<std::int64_t> id;  // from 1 (LAMMPS has no grain 0), never reused
-    std::vector<contact::Vec3> position, velocity, spin;  // m, m/s, rad/s
-    std::vector<double> radius, mass;                     // m, kg
-    std::vector<std::uint8_t> fixed;                      // 1: glued, never moves
+using rigs::Frame;
 
-    std::size_t count() const { return id.size(); }
-};
-
-// Text dump of LAMMPS (`dump custom`, units si): type 1 is loose, 2 fixed. The first frame of a file
+// Text dump of LAMMPS (`dump custom`, units si): type 1 is loose, 2 fixed, or the types
+// of the file that the grains come from. The first frame of a file
 // says the units, as LAMMPS has it.
 void write_lammps(std::ostream&, const Frame&, bool first);
+
+// LAMMPS data for read_data under atom_style sphere, units si: diameters and densities, which follow from masses; ids and types as
+// they are. Mass must be > 0, types >= 1.
+void write_lammps_data(std::ostream&, const Frame&);
+
+// x y z r, as Yade's ymport.text takes it; nothing else of the frame.
+void write_yade_text(std::ostream&, const Frame&);
 
 // Extended XYZ; all grains are of the species X, which is no element.
 void write_extxyz(std::ostream&, const Frame&);

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
+#include <numbers>
 #include <utility>
 
 namespace reports {
@@ -49,10 +51,38 @@ void write_lammps(std::ostream& out, const Frame& f, bool first) {
     lines.add("ITEM: ATOMS id type x y z vx vy vz omegax omegay omegaz radius mass diameter\n");
     for (std::size_t k = 0; k < f.count(); ++k) {
         const Vec3 &x = f.position[k], &v = f.velocity[k], &w = f.spin[k];
-        lines.add("{} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", f.id[k], f.fixed[k] ? 2 : 1, x.x,
-                  x.y, x.z, v.x, v.y, v.z, w.x, w.y, w.z, f.radius[k], f.mass[k],
-                  2.0 * f.radius[k]);
+        lines.add("{} {} {} {} {} {} {} {} {} {} {} {} {} {}\n", f.id[k], f.type_of(k), x.x, x.y,
+                  x.z, v.x, v.y, v.z, w.x, w.y, w.z, f.radius[k], f.mass[k], 2.0 * f.radius[k]);
     }
+}
+
+// Layout: LAMMPS manual, "read_data", for atom_style sphere. Its first line is a comment, in which releases from 2023 on look for units.
+void write_lammps_data(std::ostream& out, const Frame& f) {
+    Lines lines(out);
+    int types = 1;
+    for (std::size_t k = 0; k < f.count(); ++k) types = std::max(types, f.type_of(k));
+    lines.add("LAMMPS data file written by similitude, timestep = {}, units = si\n\n", f.step);
+    lines.add("{} atoms\n{} atom types\n\n", f.count(), types);
+    lines.add("{} {} xlo xhi\n{} {} ylo yhi\n{} {} zlo zhi\n\nAtoms # sphere\n\n", f.low.x,
+              f.high.x, f.low.y, f.high.y, f.low.z, f.high.z);
+    for (std::size_t k = 0; k < f.count(); ++k) {
+        const Vec3& x = f.position[k];
+        const double r = f.radius[k];
+        lines.add("{} {} {} {} {} {} {}\n", f.id[k], f.type_of(k), 2.0 * r,
+                  f.mass[k] / (4.0 / 3.0 * std::numbers::pi * (r * r * r)), x.x, x.y, x.z);
+    }
+    lines.add("\nVelocities\n\n");
+    for (std::size_t k = 0; k < f.count(); ++k) {
+        const Vec3 &v = f.velocity[k], &w = f.spin[k];
+        lines.add("{} {} {} {} {} {} {}\n", f.id[k], v.x, v.y, v.z, w.x, w.y, w.z);
+    }
+}
+
+void write_yade_text(std::ostream& out, const Frame& f) {
+    Lines lines(out);
+    lines.add("#format x_y_z_r\n");
+    for (std::size_t k = 0; k < f.count(); ++k)
+        lines.add("{} {} {} {}\n", f.position[k].x, f.position[k].y, f.position[k].z, f.radius[k]);
 }
 
 // Grammar: github.com/libAtoms/extxyz and OVITO's manual, "XYZ file reader"; `velo` and `radius` are

@@ -89,6 +89,53 @@ Json cost_side(const Cost& c) {
     return side;
 }
 
+using Angles = std::vector<std::pair<rigs::Estimator, std::optional<rigs::Angle>>>;
+
+Json angles_json(const Angles& list) {
+    Json angles = Json::object();
+    for (const auto& [estimator, angle] : list) {
+        if (angle)
+            angles[rigs::to_string(estimator)] = {{"angle", finite(angle->angle)},
+                                                  {"spread", finite(angle->spread)},
+                                                  {"samples", angle->samples}};
+        else
+            angles[rigs::to_string(estimator)] = {
+                {"angle", nullptr}, {"reason", "fewer than six sectors or views have a flank"}};
+    }
+    return angles;
+}
+
+Json criteria_json(const rigs::Formed& formed) {
+    Json criteria = Json::array();
+    for (const rigs::Criterion& c : formed.criteria)
+        criteria.push_back(
+            {{"name", c.name}, {"value", finite(c.value)}, {"rule", c.rule}, {"passed", c.pass}});
+    return criteria;
+}
+
+Json list_of(const std::vector<double>& values) {
+    Json list = Json::array();
+    for (const double v : values) list.push_back(finite(v));
+    return list;
+}
+
+constexpr const char* no_packing = "too few grains lie deep enough inside";
+
+Json heap_json(const rigs::MeasuredHeap& h) {
+    Json json = {{"formed", h.formed.formed},
+                 {"criteria", criteria_json(h.formed)},
+                 {"angle_of_repose", angles_json(h.angles)}};
+    json["packing_fraction"] = h.packing ? finite(h.packing->value) : Json(nullptr);
+    if (h.packing)
+        json["packing_volume"] = finite(h.packing->volume);
+    else
+        json["packing_fraction_reason"] = no_packing;
+    json["profile"] = {{"r", list_of(h.profile.r)},
+                       {"z", list_of(h.profile.z)},
+                       {"spread", list_of(h.profile.spread)}};
+    return json;
+}
+
 }  // namespace
 
 Json to_json(const std::vector<Finding>& findings) {
@@ -132,26 +179,12 @@ Json to_json(const ScaleStudy& study) {
 }
 
 Json to_json(const rigs::PileRecord& r) {
-    Json angles = Json::object(), criteria = Json::array();
-    for (const auto& [estimator, angle] : r.angles) {
-        if (angle)
-            angles[rigs::to_string(estimator)] = {{"angle", finite(angle->angle)},
-                                                  {"spread", finite(angle->spread)},
-                                                  {"samples", angle->samples}};
-        else
-            angles[rigs::to_string(estimator)] = {
-                {"angle", nullptr}, {"reason", "fewer than six sectors or views have a flank"}};
-    }
-    for (const rigs::Criterion& c : r.formed.criteria)
-        criteria.push_back(
-            {{"name", c.name}, {"value", finite(c.value)}, {"rule", c.rule}, {"passed", c.pass}});
     Json json = {{"at_rest", r.at_rest},
                  {"formed", r.formed.formed},
-                 {"criteria", std::move(criteria)},
-                 {"angle_of_repose", std::move(angles)}};
+                 {"criteria", criteria_json(r.formed)},
+                 {"angle_of_repose", angles_json(r.angles)}};
     json["packing_fraction"] = r.packing_fraction ? finite(*r.packing_fraction) : Json(nullptr);
-    if (!r.packing_fraction)
-        json["packing_fraction_reason"] = "too few grains lie deep enough inside";
+    if (!r.packing_fraction) json["packing_fraction_reason"] = no_packing;
     json["coordination"] = finite(r.coordination);
     json["grains_fed"] = r.grains_fed;
     json["grains_lost"] = r.grains_lost;
@@ -166,6 +199,22 @@ Json to_json(const rigs::PileRecord& r) {
     json["hash"] = fmt::format("{:016x}", r.hash);
     if (!r.notes.empty()) json["notes"] = r.notes;
     return json;
+}
+
+Json to_json(const rigs::Measured& m) {
+    return {{"grains",
+             {{"heap", m.loose},
+              {"fixed", m.fixed},
+              {"below_base", m.below_base},
+              {"beyond_rim", m.beyond_rim}}},
+            {"diameter",
+             {{"smallest", finite(m.smallest)},
+              {"mean", finite(m.mean)},
+              {"largest", finite(m.largest)}}},
+            {"coordination", finite(m.contacts.coordination)},
+            {"contacts", {{"between_grains", m.contacts.pairs}, {"at_base", m.contacts.at_base}}},
+            {"largest_overlap_over_r_star", finite(m.contacts.largest_overlap)},
+            {"heap", m.heap ? heap_json(*m.heap) : Json(nullptr)}};
 }
 
 Json to_json(const rigs::DropRecord& r) {

@@ -6,6 +6,7 @@
 
 #include "reports/provenance.hpp"
 #include "rigs/drop.hpp"
+#include "rigs/measure.hpp"
 #include "rigs/pile.hpp"
 #include "scaling/scale_study.hpp"
 
@@ -28,6 +29,9 @@ Json to_json(const std::vector<scaling::Finding>&);
 // angles (rad, by estimator), packing_fraction, coordination, formed with its criteria, counts, the
 // hash of the final state.
 Json to_json(const rigs::PileRecord&);
+
+// counts, diameters, contacts; heap: null, or formed with its criteria, angles (rad), packing_fraction, profile.
+Json to_json(const rigs::Measured&);
 
 // settled and when, impacts, steps.
 Json to_json(const rigs::DropRecord&);
