@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/convert.hpp"
 
+#include "app/convert_grains.hpp"
 #include "app/exit_code.hpp"
 #include "cases/read_case.hpp"
 #include "cases/units.hpp"
@@ -281,7 +282,9 @@ constexpr const char* examples = R"(Examples:
   similitude convert adhesion --from lammps_jkr --value "0.19 J/m^2" --to edem_v1
       both readings of EDEM's first JKR model
   similitude convert adhesion --from surface_energy --value "20 mJ/m^2" --case data/zirconia
-      what every engine needs for these grains)";
+      what every engine needs for these grains
+  similitude convert grains heap.dump heap.data --to lammps_data --units si
+      the last frame of a dump of LIGGGHTS as LAMMPS' data)";
 
 void add_output(CLI::App& verb, CommonOptions& o) {
     verb.add_option("--json", o.json,
@@ -306,7 +309,8 @@ void add_grain(CLI::App& verb, GrainOptions& o) {
 Verb convert_verb(CLI::App& app, const std::string& command) {
     const auto o = std::make_shared<ConvertOptions>();
     CLI::App* verb = app.add_subcommand(
-        "convert", "what another engine's number for adhesion, rolling or damping has to be");
+        "convert",
+        "another engine's number for adhesion, rolling or damping, or its file of grains");
     verb->require_subcommand(1);
     verb->footer(examples);
     CLI::App* sticky = verb->add_subcommand("adhesion", "keeps the pull-off force");
@@ -324,10 +328,12 @@ Verb convert_verb(CLI::App& app, const std::string& command) {
     sticky->add_option("--keep", o->keep, "pull_off_force or work_of_adhesion")
         ->check(CLI::IsMember({"pull_off_force", "work_of_adhesion"}))
         ->capture_default_str();
+    const Verb grains = convert_grains_verb(*verb);
     return {verb, [=] {
-                return sticky->parsed()  ? adhesion(*o, command)
-                       : rolls->parsed() ? rolling(*o, command)
-                                         : damping(*o, command);
+                return grains.app->parsed() ? grains.run()
+                       : sticky->parsed()   ? adhesion(*o, command)
+                       : rolls->parsed()    ? rolling(*o, command)
+                                            : damping(*o, command);
             }};
 }
 
