@@ -29,6 +29,11 @@ void add_common(CLI::App& verb, CommonOptions& options) {
     verb.add_flag("--quiet", options.quiet, "no table and no progress");
 }
 
+void add_workbook(CLI::App& verb, CommonOptions& options) {
+    verb.add_option("--xlsx", options.xlsx, "write the tables as a workbook, units in columns")
+        ->type_name("FILE.xlsx");
+}
+
 int threads_of(const CommonOptions& options) {
     if (options.threads > 0) return options.threads;
     return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));

@@ -19,6 +19,7 @@ namespace app {
 struct CommonOptions {
     std::string json;    // file, or "-" for standard output; empty: none
     std::string report;  // HTML file; empty: none
+    std::string xlsx;    // workbook; empty: none
     std::uint64_t seed = 1;
     int threads = 0;  // 0: as many as there are cores
     bool resume = false, quiet = false;
@@ -28,6 +29,9 @@ struct CommonOptions {
 
 // --json, --report, --seed, --threads, --resume, --quiet.
 void add_common(CLI::App& verb, CommonOptions&);
+
+// --xlsx, of verbs whose results are tables.
+void add_workbook(CLI::App& verb, CommonOptions&);
 
 int threads_of(const CommonOptions&);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/convert.hpp"
 
+#include "app/convert_edem.hpp"
 #include "app/convert_grains.hpp"
 #include "app/exit_code.hpp"
 #include "cases/read_case.hpp"
@@ -8,6 +9,7 @@
 #include "contact/effective.hpp"
 #include "engines/conventions.hpp"
 #include "reports/text.hpp"
+#include "reports/workbook.hpp"
 #include "scaling/errors.hpp"
 #include "scaling/nearest_name.hpp"
 
@@ -144,6 +146,7 @@ Json told(const Convention& c, double value, const Json& more = Json::object()) 
 void give(const CommonOptions& o, const Json& json, const std::string& text) {
     print(o, text);
     write_results(o, json, [] { return reports::Page{}; });
+    if (!o.xlsx.empty()) reports::write_workbook(o.xlsx, reports::sheets_of_convert(json));
 }
 
 int adhesion(const ConvertOptions& o, const std::string& command) {
@@ -291,6 +294,7 @@ void add_output(CLI::App& verb, CommonOptions& o) {
                     "write the result as JSON to FILE, or to standard output with -")
         ->type_name("FILE");
     verb.add_flag("--quiet", o.quiet, "no table");
+    add_workbook(verb, o);
 }
 
 void add_grain(CLI::App& verb, GrainOptions& o) {
@@ -328,9 +332,10 @@ Verb convert_verb(CLI::App& app, const std::string& command) {
     sticky->add_option("--keep", o->keep, "pull_off_force or work_of_adhesion")
         ->check(CLI::IsMember({"pull_off_force", "work_of_adhesion"}))
         ->capture_default_str();
-    const Verb grains = convert_grains_verb(*verb);
+    const Verb grains = convert_grains_verb(*verb), edem = convert_edem_verb(*verb);
     return {verb, [=] {
                 return grains.app->parsed() ? grains.run()
+                       : edem.app->parsed() ? edem.run()
                        : sticky->parsed()   ? adhesion(*o, command)
                        : rolls->parsed()    ? rolling(*o, command)
                                             : damping(*o, command);

@@ -6,6 +6,7 @@
 #include "app/scale_input.hpp"
 #include "cases/read_case.hpp"
 #include "reports/text.hpp"
+#include "reports/workbook.hpp"
 #include "scaling/scale_study.hpp"
 
 #include <CLI/CLI.hpp>
@@ -84,6 +85,8 @@ int run(const ScaleOptions& options, const std::string& command) {
     json["cost"]["grain_steps_per_second"] = speed;
     print(options.common, (c.title.empty() ? "" : c.title + "\n") + reports::text_of(study));
     write_results(options.common, json, [&] { return page_of(c, study, who); });
+    if (!options.common.xlsx.empty())
+        reports::write_workbook(options.common.xlsx, reports::sheets_of_scale(json));
     return study.adhesion && !study.adhesion->physically_usable ? outside_validity : fine;
 }
 
@@ -96,6 +99,7 @@ Verb scale_verb(CLI::App& app, const std::string& command) {
     verb->add_option("CASE", options->path, "case.json or its folder")->required();
     add_overrides(*verb, options->overrides);
     add_common(*verb, options->common);
+    add_workbook(*verb, options->common);
     verb->footer(examples);
     return {verb, [options, command] { return run(*options, command); }};
 }

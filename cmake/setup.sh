@@ -2,8 +2,8 @@
 # Sourced by ./check. Installs the Debian packages that are missing, and nothing else.
 
 build_packages="g++ cmake ninja-build pkg-config libboost-dev libeigen3-dev libgsl-dev libfmt-dev libcli11-dev
-    nlohmann-json3-dev libudunits2-dev libcsv-dev librandom123-dev libkainjow-mustache-dev libstb-dev"
-test_packages="catch2 python3-vtk9 python3-pandas lammps dpkg-dev"
+    nlohmann-json3-dev libudunits2-dev libcsv-dev librandom123-dev libkainjow-mustache-dev libstb-dev libxlsxwriter-dev"
+test_packages="catch2 python3-vtk9 python3-pandas python3-openpyxl libreoffice-calc-nogui lammps dpkg-dev"
 
 missing_packages() {
     for package in "$@"; do
