@@ -50,8 +50,10 @@ Grain grain_of(const cases::Case& c, const std::string& of) {
         throw InvalidInput(mistake("--of", "none", "must be original or scaled",
                                    "the case states a scaling: say which grain the sheet is for"));
     if (of != "scaled") {
-        if (c.model.includes("adhesion") && g.work_of_adhesion == 0.0 && c.scaling)
-            g.work_of_adhesion = study_of(c, {}, 1e7).adhesion->original.work_of_adhesion.value();
+        // Where the case states the scaled grain's adhesion, the original's follows from it.
+        if (!c.scaling || g.work_of_adhesion > 0.0) return g;
+        const scaling::ScaleStudy study = study_of(c, {}, 1e7);
+        if (study.adhesion) g.work_of_adhesion = study.adhesion->original.work_of_adhesion.value();
         return g;
     }
     if (!c.scaling)

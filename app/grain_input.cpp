@@ -113,11 +113,7 @@ ChosenFrame read_frame(const GrainInput& in, const std::string& format_option) {
     ChosenFrame chosen;
     chosen.format = reader->format();
     std::size_t frames = 0;
-    engines::GrainFrame next;
-    while ((!wanted || frames <= *wanted) && reader->next(next)) {
-        std::swap(chosen.grains, next);
-        ++frames;
-    }
+    while ((!wanted || frames <= *wanted) && reader->next(chosen.grains)) ++frames;
     if (frames == 0)
         throw InvalidInput(
             mistake(in.path, "no frame", "must hold grains", "check the file and its format"));

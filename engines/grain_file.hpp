@@ -48,7 +48,7 @@ class GrainReader {
     GrainReader(const GrainReader&) = delete;
     GrainReader& operator=(const GrainReader&) = delete;
 
-    // The next frame in place of what is there; false behind the last one. Throws scaling::InvalidInput: file:line, what stands
+    // The next frame in place of what is there; behind the last one false, and that one stays. Throws scaling::InvalidInput: file:line, what stands
     // there, the rule, the remedy.
     virtual bool next(GrainFrame&) = 0;
     virtual GrainFormat format() const = 0;

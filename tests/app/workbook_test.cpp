@@ -82,7 +82,8 @@ TEST_CASE("workbook: LibreOffice opens the table of convert", "[app][formats]") 
     const std::string csv = contents(folder / "c.csv");
     CHECK_THAT(csv, Contains("role,convention,engine,parameter,value,unit"));
     // 3 pi gamma R* by hand: the deepest tension of LAMMPS' jkr at R* = 60 um
-    CHECK_THAT(csv, Contains("from,surface_energy,") && Contains(",0.19,J/m^2,0.00010744246875277"));
+    CHECK_THAT(csv,
+               Contains("from,surface_energy,") && Contains(",0.19,J/m^2,0.00010744246875277"));
 }
 
 // Shear modulus and coefficients as in the paper's Table 3; radius 200 x 0.6 um; gamma = w/2 by the equations of EDEM's page, w by its
