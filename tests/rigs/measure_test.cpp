@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <random>
 
 using contact::Vec3;
 
@@ -54,6 +55,26 @@ TEST_CASE("measure: grains of very different size touch across cells, by sign an
     CHECK(c.coordination == Approx(3.0 / 3.0).epsilon(1e-15));
     CHECK(c.largest_overlap == Approx(0.01 * 1.26 / 0.26).epsilon(1e-12));
     CHECK(rigs::contacts_of(f, false, 0.02).pairs == 3);
+}
+
+// Cells are a way to find pairs, never a say in which there are: all pairs are tried here.
+TEST_CASE("measure: contacts of scattered grains of many sizes are those that all pairs give",
+          "[rigs][measure]") {
+    std::mt19937 random(20261126);
+    const auto uniform = [&](double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(random);
+    };
+    rigs::Frame f;
+    for (int k = 0; k < 1000; ++k)
+        put(f, {uniform(-1.0, 1.0), uniform(-1.0, 1.0), uniform(0.0, 2.0)}, uniform(0.02, 0.12),
+            k % 7 == 0);
+    std::size_t pairs = 0;
+    for (std::size_t i = 0; i < f.count(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            pairs += !(f.fixed[i] && f.fixed[j]) &&
+                     contact::norm(f.position[i] - f.position[j]) <= f.radius[i] + f.radius[j];
+    REQUIRE(pairs > 500);  // or nothing is shown
+    CHECK(rigs::contacts_of(f, false, 0.0).pairs == pairs);
 }
 
 TEST_CASE("measure: what has fallen off, and what is fixed, is no part of the heap",
