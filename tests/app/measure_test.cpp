@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <cstdlib>
 
 using Catch::Matchers::Contains;
 using Json = nlohmann::ordered_json;
@@ -74,6 +75,48 @@ TEST_CASE("measure: a cone of 30 degrees in EDEM's export, y up, is read as one"
         similitude({"measure", file, "--length-unit", "mm", "--diameter", "1 mm", "--base-diameter",
                     "20 mm", "--base-height", "100 mm", "--json", "-"});
     CHECK(wrong_up.json()["grains"]["heap"] == 0);
+}
+
+// Two grains overlapping by 2 um and one alone, as LIGGGHTS itself writes them.
+TEST_CASE("measure: LIGGGHTS' own dump and data are read", "[app][measure]") {
+    if (std::system("command -v liggghts > /dev/null 2>&1") != 0) {
+        WARN("LIGGGHTS is not installed: that its files are read is not checked here");
+        return;
+    }
+    const Folder folder;
+    const std::string deck =
+        folder.write("in.liggghts",
+                     "atom_style granular\natom_modify map array\nboundary f f f\nnewton off\n"
+                     "units si\ncommunicate single vel yes\n"
+                     "region box block -0.01 0.01 -0.01 0.01 -0.01 0.01 units box\n"
+                     "create_box 1 box\nneighbor 0.002 bin\nneigh_modify delay 0\n"
+                     "fix 1 all property/global youngsModulus peratomtype 5.e6\n"
+                     "fix 2 all property/global poissonsRatio peratomtype 0.45\n"
+                     "fix 3 all property/global coefficientRestitution peratomtypepair 1 0.9\n"
+                     "fix 4 all property/global coefficientFriction peratomtypepair 1 0.05\n"
+                     "pair_style gran model hertz tangential history\npair_coeff * *\n"
+                     "timestep 0.00001\n"
+                     "create_atoms 1 single 0.001 0.002 0.003 units box\n"
+                     "create_atoms 1 single 0.002998 0.002 0.003 units box\n"
+                     "create_atoms 1 single -0.004 0.002 0.0035 units box\n"
+                     "set group all diameter 0.002 density 2500\nfix 5 all nve/sphere\n"
+                     "dump 1 all custom 1 " +
+                         folder / "heap.dump" +
+                         " id type x y z vx vy vz omegax omegay omegaz radius mass\n"
+                         "run 0\nwrite_data " +
+                         folder / "heap.data" + "\n");
+    REQUIRE(std::system(("cd " + folder / "" + " && liggghts -in " + deck + " > liggghts.out 2>&1")
+                            .c_str()) == 0);
+    for (const char* name : {"heap.dump", "heap.data"}) {
+        const Outcome o = similitude({"measure", folder / name, "--units", "si", "--json", "-"});
+        INFO(name << ": " << o.err);
+        REQUIRE(o.code == 0);
+        CHECK(o.json()["grains"]["heap"] == 3);
+        CHECK(o.json()["diameter"]["mean"].get<double>() == Approx(0.002).epsilon(1e-12));
+        CHECK(o.json()["contacts"]["between_grains"] == 1);
+        // 2 um over R* = 0.5 mm; six digits of the dump leave 1e-8 m
+        CHECK(o.json()["largest_overlap_over_r_star"].get<double>() == Approx(0.004).margin(4e-5));
+    }
 }
 
 TEST_CASE("measure: what is missing is said with its remedy", "[app][measure][input]") {
