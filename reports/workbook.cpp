@@ -135,11 +135,13 @@ std::string csv_of(const Sheet& s) {
         if (text.find_first_of(",\"\n") == std::string::npos) return text;
         for (std::size_t k = 0; (k = text.find('"', k)) != std::string::npos; k += 2)
             text.insert(k, 1, '"');
-        return '"' + text + '"';
+        return fmt::format("\"{}\"", text);
     };
     std::string csv;
-    for (std::size_t k = 0; k < s.heading.size(); ++k)
-        csv += (k > 0 ? "," : "") + quoted(s.heading[k]);
+    for (std::size_t k = 0; k < s.heading.size(); ++k) {
+        if (k > 0) csv += ',';
+        csv += quoted(s.heading[k]);
+    }
     csv += '\n';
     for (const auto& row : s.rows) {
         for (std::size_t k = 0; k < row.size(); ++k) {

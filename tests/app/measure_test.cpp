@@ -2,6 +2,7 @@
 #include "command_line.hpp"
 
 #include <catch2/catch.hpp>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -45,13 +46,15 @@ std::string edem_cone() {
             for (int j = 0; j < 12; ++j) {
                 const double r = std::sqrt(double(i * i + k * k));
                 if (r > 9.75 || j + 0.5 > (10.0 - r) * 0.57735026919) continue;
-                x += "," + std::to_string(i), z += "," + std::to_string(k);
-                y += "," + std::to_string(100.5 + j);
+                x += fmt::format(",{}", i);
+                y += fmt::format(",{}", 100.5 + j);
+                z += fmt::format(",{}", k);
                 ++n;
             }
-    return "TIME:,1.5\nQ01 : Total Number of Particles:," + std::to_string(n) +
-           "\nQ02 : Particle Position X:" + x + "\nQ03 : Particle Position Y:" + y +
-           "\nQ04 : Particle Position Z:" + z + "\n";
+    return fmt::format(
+        "TIME:,1.5\nQ01 : Total Number of Particles:,{}\nQ02 : Particle Position X:{}\n"
+        "Q03 : Particle Position Y:{}\nQ04 : Particle Position Z:{}\n",
+        n, x, y, z);
 }
 
 }  // namespace
