@@ -63,16 +63,6 @@ std::optional<diagnose::Verdict> judged(const cases::Case& c, const DiagnoseOpti
     }
 }
 
-reports::Page page_of(const cases::Case& c, const diagnose::Verdict& v,
-                      const reports::Provenance& who) {
-    return {.title = c.title,
-            .source = c.source,
-            .verdict = reports::verdict_of(v),
-            .diagnosis = v,
-            .limits = reports::limits_of(v),
-            .provenance = who};
-}
-
 int run(const DiagnoseOptions& o, const std::string& command, const Judge& judge) {
     const cases::Case c = cases::read_case(o.path, cases::HeldOut::sealed);
     if (!o.predict.empty()) make_folder(o.predict);  // a minute of work must not end at a bad name
@@ -88,7 +78,8 @@ int run(const DiagnoseOptions& o, const std::string& command, const Judge& judge
     who.threads = threads_of(o.common);
     print(o.common, (c.title.empty() ? "" : c.title + "\n") + reports::text_of(*v));
     if (!o.predict.empty()) write_predictions(o.predict, v->curves);
-    write_results(o.common, reports::to_json(*v, who), [&] { return page_of(c, *v, who); });
+    write_results(o.common, reports::to_json(*v, who),
+                  [&] { return reports::page_of(c, *v, who); });
     return exit_code_of(v->answer);
 }
 

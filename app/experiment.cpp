@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "app/experiment.hpp"
 
-#include "app/machine_speed.hpp"
+#include "app/forward_curves.hpp"
+#include "app/pile_cost.hpp"
 #include "app/pile_task.hpp"
 #include "app/version.hpp"
 #include "cases/csv.hpp"
 #include "cases/messages.hpp"
-#include "cases/rig_table.hpp"
 #include "reports/numbers.hpp"
 #include "rigs/drop.hpp"
 #include "rigs/forward.hpp"
 #include "rigs/height_map.hpp"
 #include "rigs/single_grain.hpp"
-#include "scaling/cost.hpp"
 #include "scaling/errors.hpp"
 
 #include <fmt/format.h>
@@ -31,44 +30,6 @@ using cases::Case;
 using cases::Experiment;
 using scaling::InvalidInput;
 using scaling::mistake;
-
-constexpr double longest_unasked = 12.0 * 3600.0;  // s: a night
-constexpr double most_grains_unasked = 5e6;        // some 5 GB of grains and contacts
-
-// Feeding until grains fall off needs a count here; says how many the base is likely to carry.
-void refuse_endless(const Experiment& e) {
-    const cases::Value& grains = e.conditions.at("grains");
-    if (grains.kind != cases::Value::Kind::text) return;
-    constexpr double angle = 0.7853981633974483,
-                     packing = 0.5;  // 45 degrees: an order of magnitude is meant
-    const double likely = scaling::grains_in(
-        {e.conditions.at("base_diameter").quantity<scaling::Length>(), angle, packing},
-        e.grain.diameter.value);
-    cases::refuse(
-        grains, "must be a count to be simulated",
-        fmt::format("a heap on this base holds about {} grains of {}; scale the powder first",
-                    reports::number(likely),
-                    reports::quantity(e.grain.diameter.value.value(), "m")));
-}
-
-[[noreturn]] void refuse_cost(const Experiment& e, const std::string& got,
-                              const std::string& rule) {
-    throw InvalidInput(
-        mistake("experiment " + cases::in_quotes(e.id), got, rule,
-                "take fewer or larger grains (similitude scale), a softer modulus, or say --yes"));
-}
-
-void refuse_unaffordable(const Experiment& e, const rigs::PileSetup& setup, int threads) {
-    const double grains = static_cast<double>(setup.feed_time.size());
-    const double steps = static_cast<double>(rigs::expected_steps(setup));
-    const double seconds = grains * steps / measured_speed(threads);
-    if (seconds > longest_unasked)
-        refuse_cost(
-            e,
-            fmt::format("{} grains x {} steps, about {} on this machine", reports::count(grains),
-                        reports::count(steps), reports::quantity(seconds, "s")),
-            "must not need more than 12 h unasked");
-}
 
 // A frame of 300 grains has some 60 kB; a slip of the unit would fill the disk with them.
 constexpr double most_frames_unasked = 1e4;
@@ -99,13 +60,9 @@ std::uint64_t files_of(const Case& c, const Experiment& e) {
 
 PileTask pile_task(const Case& c, const Experiment& e, const CommonOptions& o,
                    const RunPlace& place) {
-    refuse_endless(e);
-    const double grains = static_cast<double>(e.conditions.at("grains").count());
-    if (!place.yes && grains > most_grains_unasked)
-        refuse_cost(e, reports::count(grains) + " grains", "must not be more than 5e6 unasked");
     const int threads = threads_of(o);
     PileTask task{.id = e.id,
-                  .setup = rigs::pile_setup(c, e, o.seed),
+                  .setup = counted_setup(c, e, o.seed, place.yes),
                   .folder = place.folder,
                   .fingerprint = fingerprint_of(fmt::format("\n{} {} {}", e.id, o.seed, version),
                                                 files_of(c, e)),
@@ -178,28 +135,15 @@ ExperimentRun drop_run(const Experiment& e, const rigs::DropSetup& setup,
 ExperimentRun curves_run(const Experiment& e, const rigs::World& world,
                          const std::filesystem::path& folder) {
     const auto start = std::chrono::steady_clock::now();
-    const rigs::Ordinates at = rigs::ordinates_of(e);
-    const rigs::Curves curves = rigs::forward_model(e)->predict(world, at);
+    const std::vector<cases::Column> columns = forward_curves(e, world, rigs::ordinates_of(e));
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    const cases::RigRule& rig = cases::rig_rule(e.rig);
-    const auto unit = [&](const std::string& channel) {
-        return cases::find_channel(rig, channel)->units.front();
-    };
-    const std::string ordinate = rigs::ordinate_name(e);
-    std::vector<cases::Column> columns{{ordinate, unit(ordinate), at.at, {}}};
-    for (const auto& [name, values] : curves) columns.push_back({name, unit(name), values, {}});
-    if (!at.retract.empty()) {
-        columns.push_back({"branch", "", {}, {}});
-        for (const bool back : at.retract)
-            columns.back().words.emplace_back(back ? "retract" : "approach");
-    }
     cases::write_csv((folder / (e.id + ".csv")).string(), columns);
     const cases::Recording* recording = e.recording ? &*e.recording : nullptr;
     return {e.id,
             e.rig,
             seconds.count(),
             reports::curves_section(e.id, columns, recording),
-            {{"rows", at.at.size()}}};
+            {{"rows", columns.front().values.size()}}};
 }
 
 bool has_curves(const Experiment& e) {

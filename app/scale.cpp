@@ -61,30 +61,15 @@ void add_overrides(CLI::App& verb, ScaleOverrides& o) {
                     "characteristic length instead of the experiment's: \"6 mm\"");
 }
 
-reports::Page page_of(const cases::Case& c, const scaling::ScaleStudy& study,
-                      const reports::Provenance& who) {
-    return {.title = c.title,
-            .source = c.source,
-            .verdict = reports::verdict_of(study),
-            .study = study,
-            .limits = reports::limits_of(study),
-            .provenance = who};
-}
-
 int run(const ScaleOptions& options, const std::string& command) {
     const cases::Case c = cases::read_case(options.path);
     const double speed = measured_speed(threads_of(options.common));
     const scaling::ScaleStudy study = study_of(c, options.overrides, speed);
     const reports::Provenance who = provenance(command, c.path);
 
-    reports::Json json = {{"format", "similitude-scale/1"},
-                          {"case", c.path},
-                          {"title", c.title},
-                          {"tool", reports::to_json(who)}};
-    json.update(reports::to_json(study));
-    json["cost"]["grain_steps_per_second"] = speed;
+    const reports::Json json = reports::to_json(c, study, speed, who);
     print(options.common, (c.title.empty() ? "" : c.title + "\n") + reports::text_of(study));
-    write_results(options.common, json, [&] { return page_of(c, study, who); });
+    write_results(options.common, json, [&] { return reports::page_of(c, study, who); });
     if (!options.common.xlsx.empty())
         reports::write_workbook(options.common.xlsx, reports::sheets_of_scale(json));
     return study.adhesion && !study.adhesion->physically_usable ? outside_validity : fine;

@@ -119,26 +119,11 @@ std::string text_of(const ExperimentRun& run) {
     return text + reports::columns(section.quantities, right);
 }
 
-reports::Page page_of(const Case& c, const std::vector<ExperimentRun>& runs,
-                      const reports::Provenance& who) {
-    reports::Page page{
-        .title = c.title,
-        .source = c.source,
-        .verdict = {reports::Answer::cannot_tell, "Interrupted before anything was finished",
-                    "run the command again with --resume"},
-        .provenance = who};
+std::vector<reports::RunSection> sections_of(const std::vector<ExperimentRun>& runs) {
+    std::vector<reports::RunSection> sections;
     for (const ExperimentRun& run : runs)
-        if (run.section) page.runs.push_back(*run.section);
-    if (!page.runs.empty()) page.verdict = page.runs.front().verdict;
-    if (page.runs.size() > 1)
-        page.verdict.headline = page.runs.front().name + ": " + page.verdict.headline;
-    page.limits = {
-        "One heap is one draw from chance: its angle scatters from seed to seed by a degree or "
-        "more. Run several seeds before two "
-        "angles are compared.",
-        "The spread over sectors is that within one heap; it is no uncertainty of the angle of "
-        "repose."};
-    return page;
+        if (run.section) sections.push_back(*run.section);
+    return sections;
 }
 
 RunPlace place_of(const SimulateOptions& o) {
@@ -184,7 +169,7 @@ int run(const SimulateOptions& o, const std::string& command) {
     who.threads = threads_of(o.common);
     const reports::Json json = json_of(c, o, runs, who);
     write_file((std::filesystem::path(o.out) / "run.json").string(), reports::text_of(json));
-    write_results(o.common, json, [&] { return page_of(c, runs, who); });
+    write_results(o.common, json, [&] { return reports::page_of(c, sections_of(runs), who); });
     for (const ExperimentRun& r : runs)
         if (whole) r.forget();
     return !whole ? interrupted : decided ? fine : cannot_tell;

@@ -178,6 +178,17 @@ Json to_json(const ScaleStudy& study) {
             {"findings", to_json(study.findings)}};
 }
 
+Json to_json(const cases::Case& c, const ScaleStudy& study, double grain_steps_per_second,
+             const Provenance& who) {
+    Json json = {{"format", "similitude-scale/1"},
+                 {"case", c.path},
+                 {"title", c.title},
+                 {"tool", to_json(who)}};
+    json.update(to_json(study));
+    json["cost"]["grain_steps_per_second"] = grain_steps_per_second;
+    return json;
+}
+
 Json to_json(const rigs::PileRecord& r) {
     Json json = {{"at_rest", r.at_rest},
                  {"formed", r.formed.formed},

@@ -4,6 +4,7 @@
 // written.
 #pragma once
 
+#include "cases/case.hpp"
 #include "reports/provenance.hpp"
 #include "rigs/drop.hpp"
 #include "rigs/measure.hpp"
@@ -22,6 +23,10 @@ using Json = nlohmann::ordered_json;
 // scheme, h, softening, factors, groups, adhesion, scale_number, cost, findings. What belongs to
 // the powder itself stands under "original", what belongs to the simulated one under "scaled".
 Json to_json(const scaling::ScaleStudy&);
+
+// The same as the format `similitude-scale/1`: format, case, title and tool stand first.
+Json to_json(const cases::Case&, const scaling::ScaleStudy&, double grain_steps_per_second,
+             const Provenance&);
 
 // A list of name, value, rule, judgement, text.
 Json to_json(const std::vector<scaling::Finding>&);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reports/page.hpp"
 
+#include "reports/diagnosis.hpp"
 #include "reports/numbers.hpp"
 #include "reports/page_parts.hpp"
 #include "reports/page_template.hpp"
@@ -195,6 +196,42 @@ std::vector<std::string> limits_of(const Verification& v) {
         "All grains are spheres of one size, and the core is compared with itself: this shows that "
         "the scaling holds in the model, not that the model is the powder.");
     return limits;
+}
+
+Page page_of(const cases::Case& c, const scaling::ScaleStudy& study, const Provenance& who) {
+    return {.title = c.title,
+            .source = c.source,
+            .verdict = verdict_of(study),
+            .study = study,
+            .limits = limits_of(study),
+            .provenance = who};
+}
+
+Page page_of(const cases::Case& c, const std::vector<RunSection>& runs, const Provenance& who) {
+    Page page{.title = c.title,
+              .source = c.source,
+              .verdict = {Answer::cannot_tell, "Interrupted before anything was finished",
+                          "run the command again with --resume"},
+              .runs = runs,
+              .provenance = who};
+    if (!runs.empty()) page.verdict = runs.front().verdict;
+    if (runs.size() > 1) page.verdict.headline = runs.front().name + ": " + page.verdict.headline;
+    page.limits = {
+        "One heap is one draw from chance: its angle scatters from seed to seed by a degree or "
+        "more. Run several seeds before two "
+        "angles are compared.",
+        "The spread over sectors is that within one heap; it is no uncertainty of the angle of "
+        "repose."};
+    return page;
+}
+
+Page page_of(const cases::Case& c, const diagnose::Verdict& v, const Provenance& who) {
+    return {.title = c.title,
+            .source = c.source,
+            .verdict = verdict_of(v),
+            .diagnosis = v,
+            .limits = limits_of(v),
+            .provenance = who};
 }
 
 std::string html(const Page& page) {

@@ -3,6 +3,7 @@
 // Verdict first; a section whose part is empty is left out.
 #pragma once
 
+#include "cases/case.hpp"
 #include "diagnose/verdict.hpp"
 #include "reports/checks.hpp"
 #include "reports/provenance.hpp"
@@ -34,6 +35,11 @@ struct Page {
 };
 
 std::string html(const Page&);
+
+// The page of one answer, its limits included. Of runs: the verdict is the first one's; cannot tell without any.
+Page page_of(const cases::Case&, const scaling::ScaleStudy&, const Provenance&);
+Page page_of(const cases::Case&, const std::vector<RunSection>&, const Provenance&);
+Page page_of(const cases::Case&, const diagnose::Verdict&, const Provenance&);
 
 // What a scale study by itself cannot show.
 std::vector<std::string> limits_of(const scaling::ScaleStudy&);

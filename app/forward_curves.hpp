@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "cases/csv.hpp"
+#include "rigs/forward.hpp"
+
+#include <vector>
+
+namespace app {
+
+// What the rig's forward model says at these ordinates, as its channels: the ordinate first, `branch` last where
+// there are two. Of a rig with a forward model.
+std::vector<cases::Column> forward_curves(const cases::Experiment&, const rigs::World&,
+                                          const rigs::Ordinates&);
+
+}  // namespace app
