@@ -3,6 +3,7 @@
 
 build_packages="g++ cmake ninja-build pkg-config libboost-dev libeigen3-dev libgsl-dev libfmt-dev libcli11-dev
     nlohmann-json3-dev libudunits2-dev libcsv-dev librandom123-dev libkainjow-mustache-dev libstb-dev libxlsxwriter-dev"
+python_packages="python3-dev pybind11-dev python3-numpy python3-pandas python3-matplotlib"
 test_packages="catch2 python3-vtk9 python3-pandas python3-openpyxl libreoffice-calc-nogui lammps dpkg-dev"
 
 missing_packages() {

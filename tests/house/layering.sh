@@ -1,10 +1,11 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # Who may include whom: a room sees those to its left, never its right, and rooms in one place never each other.
-# Also: JSON is seen by cases, reports and app alone; contact and dem_min see neither JSON nor GSL nor Eigen.
+# Also: JSON is seen by cases, reports, app and python alone; contact and dem_min see neither JSON nor GSL nor Eigen; python sees of
+# app what neither prints nor exits.
 set -eu
 root=${1:-.}
-places="scaling contact,cases dem_min rigs engines,statistics calibrate,diagnose,prove,verify,bench,photo reports app"
+places="scaling contact,cases dem_min rigs engines,statistics calibrate,diagnose,prove,verify,bench,photo reports app python"
 faults=0
 fault() { echo "$1"; faults=1; }
 allowed=""
@@ -23,7 +24,7 @@ for place in $places; do
             esac
         done
         case $room in
-            cases | reports | app) ;;
+            cases | reports | app | python) ;;
             *) ! grep -rnE '^#include <nlohmann' "$root/$room" || fault "$room includes JSON" ;;
         esac
         case $room in
@@ -31,5 +32,11 @@ for place in $places; do
         esac
     done
     allowed="$allowed ${place//,/ }"
+done
+[ ! -d "$root/python" ] || for include in $(grep -rhoE '^#include "app/[a-z_]+' "$root/python" | cut -d/ -f2 | sort -u); do
+    case $include in
+        forward_curves | machine_speed | pile_cost | scale_input | version) ;;
+        *) fault "python includes app/$include: only the command line prints or exits" ;;
+    esac
 done
 exit $faults

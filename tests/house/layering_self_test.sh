@@ -16,4 +16,10 @@ mkdir "$tree/prove"
 rm "$tree/contact/b.hpp"
 echo '#include "contact/a.hpp"' > "$tree/prove/a.hpp"
 bash "$here/layering.sh" "$tree" >/dev/null && { echo "not seen: prove that includes contact"; exit 1; }
+rm "$tree/prove/a.hpp"
+mkdir "$tree/app" "$tree/python"
+echo '#include "app/version.hpp"' > "$tree/python/a.cpp"
+bash "$here/layering.sh" "$tree" || { echo "python with app/version.hpp was refused"; exit 1; }
+echo '#include "app/common.hpp"' > "$tree/python/a.cpp"
+bash "$here/layering.sh" "$tree" >/dev/null && { echo "not seen: python with the part of app that prints"; exit 1; }
 exit 0
