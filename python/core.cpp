@@ -4,6 +4,8 @@
 #include "app/machine_speed.hpp"
 #include "app/scale_input.hpp"
 #include "app/version.hpp"
+#include "cases/domain.hpp"
+#include "cases/effects.hpp"
 #include "cases/messages.hpp"
 #include "cases/read_case.hpp"
 #include "diagnose/diagnose.hpp"
@@ -24,6 +26,7 @@
 #include <map>
 #include <memory>
 #include <pybind11/stl.h>
+#include <variant>
 
 namespace py = pybind11;
 
@@ -59,10 +62,25 @@ Answer scale(const std::string& path, const app::ScaleOverrides& overrides, int 
             [c, study, who] { return reports::page_of(*c, study, who); }};
 }
 
-void set_parameter(Case& c, const std::string& name, double value) {
+// As it would stand in case.json: a number, or a text with its unit.
+using Stated = std::variant<double, std::string>;
+
+cases::Value value_of(const Stated& stated, const std::string& where) {
+    if (const double* number = std::get_if<double>(&stated))
+        return {.where = where, .kind = cases::Value::Kind::number, .written_number = *number};
+    return {.where = where,
+            .kind = cases::Value::Kind::text,
+            .written_text = std::get<std::string>(stated)};
+}
+
+void set_parameter(Case& c, const std::string& name, const Stated& stated) {
     const auto found = c.model.parameters.find(name);
     if (found != c.model.parameters.end()) {
-        found->second.value = value;
+        cases::Parameter& parameter = found->second;
+        for (const cases::ParameterRule& rule : cases::parameter_rules())
+            if (rule.name == name)
+                parameter.value = cases::checked(value_of(stated, "parameters." + name),
+                                                 parameter.unit, rule.domain);
         return;
     }
     std::vector<std::string> names;
@@ -87,7 +105,7 @@ struct Prediction {
 };
 
 Prediction predict(const std::string& path, const std::string& id,
-                   const std::map<std::string, double>& parameters,
+                   const std::map<std::string, Stated>& parameters,
                    const std::optional<std::vector<double>>& at, const std::string& command) {
     const auto c = std::make_shared<Case>(cases::read_case(path));
     for (const auto& [name, value] : parameters) set_parameter(*c, name, value);
@@ -192,7 +210,7 @@ PYBIND11_MODULE(_core, m) {
     m.def(
         "predict",
         [](const std::string& path, const std::string& experiment,
-           const std::map<std::string, double>& parameters,
+           const std::map<std::string, Stated>& parameters,
            const std::optional<std::vector<double>>& at, const std::string& command) {
             const Prediction p = predict(path, experiment, parameters, at, command);
             py::list columns;

@@ -160,7 +160,7 @@ def simulate(case, experiment="", *, seed=1, threads=0, sleep=False, yes=False):
 
 def predict(case, experiment="", *, parameters={}, at=None):
     """What a single grain would do (rigs drop, incline, impact, pull_off), at the recording's own rows unless `at`,
-    SI. `parameters`: values in SI in place of the case's; of a pull-off, `at` is on the approach."""
+    SI. `parameters`: values in place of the case's, written as there, "0.2 J/m^2"; of a pull-off, `at` is on the approach."""
     options = dict(experiment=experiment, parameters=dict(parameters), at=None if at is None else [float(a) for a in at])
     return Curves(*_core.predict(_os.fspath(case), command=_command(predict, case, options), **options))
 

@@ -58,7 +58,7 @@ def predict(
     case: _Case,
     experiment: str = "",
     *,
-    parameters: Mapping[str, float] = {},
+    parameters: Mapping[str, Union[float, str]] = {},
     at: Optional[Union[Iterable[float], NDArray[np.float64]]] = None,
 ) -> Curves: ...
 def diagnose(case: _Case, *, seed: int = 1, threads: int = 0, alpha: float = 0.05) -> Diagnosis: ...

@@ -29,6 +29,12 @@ beads = {
     "experiments": [{"id": "drop-1", "rig": "drop", "conditions": {"height": "100 mm"}}],
 }
 
+# The same bead pressed onto the plate and pulled off: 3/2 pi w R by hand.
+sticky = beads | {
+    "model": {"physics": ["gravity", "hertz_mindlin", "adhesion"], "parameters": {"work_of_adhesion": {"value": "0.1 J/m^2"}}},
+    "experiments": [{"id": "curve-1", "rig": "pull_off", "conditions": {"counterpart": "plate", "preload": "1 mN"}}],
+}
+
 
 def case_of(content, folder):
     path = pathlib.Path(folder) / "case.json"

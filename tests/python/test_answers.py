@@ -2,6 +2,7 @@
 """Python and the command line give one answer; what is expected beside that is done by hand or stands in the paper."""
 import json
 import math
+import os
 import pickle
 import tempfile
 import unittest
@@ -9,7 +10,7 @@ import unittest
 import numpy as np
 
 import similitude
-from common import beads, case_of, program, root, zirconia
+from common import beads, case_of, program, root, sticky, zirconia
 
 
 def without(data, *keys):
@@ -104,6 +105,8 @@ class Mistakes(unittest.TestCase):
     def test_each_names_the_place_and_the_rule(self):
         with tempfile.TemporaryDirectory() as place:
             bead = case_of(beads, place)
+            os.mkdir(place + "/sticky")
+            adhesive = case_of(sticky, place + "/sticky")
             for wrong, text in [
                 (lambda: similitude.scale("nowhere"), "nowhere"),
                 (lambda: similitude.scale(zirconia, surface_energy="1 J/m^2", of="both"), 'of: got "both", must be original or scaled'),
@@ -116,6 +119,9 @@ class Mistakes(unittest.TestCase):
                 (lambda: similitude.predict(zirconia), "got none of a single grain"),
                 (lambda: similitude.predict(zirconia, "pile"), "must be drop, incline, impact or pull_off"),
                 (lambda: similitude.predict(bead, parameters={"restitutoin": 1.0}), 'got "restitutoin", must be one of .*restitution'),
+                (lambda: similitude.predict(bead, parameters={"restitution": 2}), "parameters.restitution: got 2"),
+                (lambda: similitude.predict(adhesive, parameters={"work_of_adhesion": 0.2}), "parameters.work_of_adhesion: got 0.2"),
+                (lambda: similitude.predict(adhesive, parameters={"work_of_adhesion": "2 m"}), "J/m"),
                 (lambda: similitude.diagnose(bead, alpha=2.0), "alpha: got 2"),
             ]:
                 with self.assertRaisesRegex(ValueError, text):
@@ -145,6 +151,14 @@ class Predict(unittest.TestCase):
         curves = similitude.predict(root / "tests/diagnose/data/drop-air-drag", "drop-1")
         rows = (root / "tests/diagnose/data/drop-air-drag/drop-1.csv").read_text().splitlines()
         self.assertEqual(len(curves["t"]), len(rows) - 1)
+
+    def test_a_parameter_carries_its_unit(self):
+        # JKR on a plate: the deepest pull is 3/2 pi w R, 2 mm here. A hundred samples of a smooth curve miss it by less than 1e-3.
+        with tempfile.TemporaryDirectory() as place:
+            path = case_of(sticky, place)
+            for stated, w in [(None, 0.1), ("50 mJ/m^2", 0.05), ("0.2 J/m^2", 0.2)]:
+                curves = similitude.predict(path, parameters={"work_of_adhesion": stated} if stated else {})
+                self.assertAlmostEqual(curves["force"].min() / (-1.5 * math.pi * w * 2e-3), 1.0, delta=1e-3)
 
     def test_pull_off_has_its_branches(self):
         curves = similitude.predict(root / "tests/diagnose/data/pull-off-adhesion")
