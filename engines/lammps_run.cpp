@@ -11,10 +11,7 @@
 #include <stdexcept>
 
 namespace engines {
-namespace {
-
-// The lines that begin with ERROR, or the last one where there is none.
-std::string complaint(const std::string& output) {
+std::string lammps_complaint(const std::string& output) {
     std::istringstream in(output);
     std::string all, last;
     for (std::string line; std::getline(in, line);) {
@@ -24,12 +21,10 @@ std::string complaint(const std::string& output) {
     return all.empty() ? last : all;
 }
 
-}  // namespace
-
-std::filesystem::path lammps_program() {
+std::filesystem::path lammps_program(const std::string& option) {
     if (const auto found = find_program("lmp")) return *found;
     throw scaling::InvalidInput(
-        scaling::mistake("--against", "lammps", "needs the program lmp", "apt-get install lammps"));
+        scaling::mistake(option, "lammps", "needs the program lmp", "apt-get install lammps"));
 }
 
 std::string lammps_release(const std::string& output) {
@@ -50,7 +45,7 @@ std::string run_lammps(const std::filesystem::path& lmp, const std::filesystem::
             fmt::format("{}: LAMMPS took longer than {:g} s", folder.string(), limit_s));
     if (f.exit_code != 0)
         throw std::runtime_error(fmt::format("{}: LAMMPS ended with {}: {}", folder.string(),
-                                             f.exit_code, complaint(f.out)));
+                                             f.exit_code, lammps_complaint(f.out)));
     return f.out;
 }
 

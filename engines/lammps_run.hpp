@@ -7,11 +7,14 @@
 
 namespace engines {
 
-// Throws scaling::InvalidInput that names the package where `lmp` is not installed.
-std::filesystem::path lammps_program();
+// Throws scaling::InvalidInput that names the package where `lmp` is not installed. `option` is what asked for it.
+std::filesystem::path lammps_program(const std::string& option = "--against");
 
 // "29 Sep 2021 - Update 2", from the first line that it prints; "unknown" where that is another.
 std::string lammps_release(const std::string& output);
+
+// The error lines of an output, or its last one where there is none.
+std::string lammps_complaint(const std::string& output);
 
 // Writes `data` to start.data and `deck` to deck.in in `folder`, made new where it is not there, and
 // runs `lmp -in deck.in` in it. Returns what LAMMPS printed. Throws std::runtime_error with its error

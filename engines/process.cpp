@@ -122,7 +122,7 @@ std::optional<std::filesystem::path> find_program(const std::string& name) {
 }
 
 Finished run(const std::vector<std::string>& argv, const std::filesystem::path& folder,
-             double limit_s) {
+             double limit_s, const std::function<void(const std::string&)>& watch) {
     if (argv.empty()) throw std::logic_error("run: no program");
     std::vector<char*> words;
     for (const std::string& word : argv) words.push_back(const_cast<char*>(word.c_str()));
@@ -140,7 +140,9 @@ Finished run(const std::vector<std::string>& argv, const std::filesystem::path& 
     int status = 0;
     double asked_at = -1.0;  // s, when the group got SIGTERM
     while (waitpid(child, &status, WNOHANG) == 0) {
+        const std::size_t heard = result.out.size();
         listen(ends[0], result.out);
+        if (watch && result.out.size() > heard) watch(result.out);
         const double now = since(start);
         if (asked_at < 0.0 && (now > limit_s || caught != 0)) {
             result.timed_out = caught == 0;
@@ -153,6 +155,7 @@ Finished run(const std::vector<std::string>& argv, const std::filesystem::path& 
     result.seconds = since(start);
     drain(ends[0], result.out);
     result.exit_code = exit_code_of(status);
+    result.stopped = caught != 0;
     return result;
 }
 

@@ -24,6 +24,14 @@ dem_min::Laws laws(const ContactParameters& c) {
     if (c.rigid_tangential) result.tangential = contact::Coulomb{c.sliding_friction};
     if (c.rolling_friction > 0.0)
         result.rolling = contact::RollingEpsd{c.rolling_friction, rolling_damping_ratio};
+    if (!c.as_lammps) return result;
+    if (c.work_of_adhesion > 0.0)
+        result.normal = contact::Jkr{c.e_star, c.work_of_adhesion, contact::TearOff::max_tension};
+    else
+        result.friction_cap = contact::FrictionCap::total_plus_two_pull_off;
+    if (c.rolling_friction > 0.0)
+        result.rolling = contact::RollingSds{c.as_lammps->rolling_stiffness,
+                                             c.as_lammps->rolling_damping, c.rolling_friction};
     return result;
 }
 

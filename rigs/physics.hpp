@@ -6,10 +6,16 @@
 #include "contact/effective.hpp"
 #include "dem_min/interaction.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace rigs {
+
+// What LAMMPS' pair style granular wants to be told of SDS rolling, which our own rules have no use for.
+struct LammpsRules {
+    double rolling_stiffness, rolling_damping;  // N/m, kg/s
+};
 
 // The physics of one kind of contact, in SI.
 struct ContactParameters {
@@ -17,6 +23,9 @@ struct ContactParameters {
     double work_of_adhesion;  // J/m^2; 0: Hertz
     double sliding_friction, rolling_friction, restitution;
     bool rigid_tangential = false;  // hertz_coulomb: no micro-slip
+    // Where it is there, the rules are those that LAMMPS has as well: SDS in place of EPSD, JKR torn off at the deepest tension,
+    // without adhesion friction of the whole normal force, dashpot included.
+    std::optional<LammpsRules> as_lammps = std::nullopt;
 };
 
 // Hertz or JKR, Mindlin or Coulomb, EPSD or no rolling resistance, Tsuji's dashpots; with adhesion also twisting resistance,

@@ -192,6 +192,17 @@ void choose_steps(PileSetup& s) {
     s.longest = s.feed_time.back() + 30.0 * s.rest_duration;
 }
 
+void take_lammps_rules(PileSetup& s) {
+    const double mass = s.density * (std::numbers::pi / 6.0) * (s.d * s.d * s.d);
+    double w = std::max(s.grains.work_of_adhesion, s.walls.work_of_adhesion);
+    for (const PairParameters& pair : s.materials.pairs)
+        w = std::max(w, pair.laws.work_of_adhesion);
+    const double pull_off = 1.5 * std::numbers::pi * w * 0.25 * s.d;
+    const double k = 100.0 * (mass * s.gravity + 2.0 * pull_off) / s.d;
+    s.grains.as_lammps = s.walls.as_lammps = LammpsRules{k, std::sqrt(k * mass)};
+    for (PairParameters& pair : s.materials.pairs) pair.laws.as_lammps = s.grains.as_lammps;
+}
+
 PileSetup scaled(const PileSetup& original, const scaling::ScaleMap& map) {
     PileSetup s = original;
     const double length = map.factor("length"), time = map.factor("time");
@@ -216,6 +227,14 @@ PileSetup scaled(const PileSetup& original, const scaling::ScaleMap& map) {
         times(map.factor("work_of_adhesion"), pair.laws.work_of_adhesion);
     }
     for (double& density : s.materials.density) times(map.factor("density"), density);
+    const double mass = map.factor("density") * length * length * length;
+    const auto scale_rolling = [&](ContactParameters& laws) {
+        if (!laws.as_lammps) return;
+        times(mass / (time * time), laws.as_lammps->rolling_stiffness);
+        times(mass / time, laws.as_lammps->rolling_damping);
+    };
+    scale_rolling(s.grains), scale_rolling(s.walls);
+    for (PairParameters& pair : s.materials.pairs) scale_rolling(pair.laws);
     times(map.factor("contact_time"), s.time_step);
     times(length / time, s.sleep_speed);
     times(time, s.rest_duration, s.longest);

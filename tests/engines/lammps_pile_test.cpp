@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "engines/lammps_pile.hpp"
+
+#include "cases/read_case.hpp"
+#include "engines/lammps_run.hpp"
+#include "engines/process.hpp"
+#include "scaling/errors.hpp"
+#include "tests/engines/scratch.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+using Catch::Matchers::Contains;
+
+namespace {
+
+// Grains of 1 mm, m g = 1.284e-5 N, E/(rho g d) = 1e4.
+rigs::PileSetup small_setup(const std::string& base, const std::string& physics, int grains) {
+    const Scratch folder("lammps-pile-case");
+    const std::string text =
+        R"({"format": "similitude-case/1", "title": "t",
+  "grain": {"diameter": "1 mm", "density": "2500 kg/m^3", "youngs_modulus": "0.245 MPa", "poisson_ratio": 0.25},
+  "plate": {"youngs_modulus": "0.245 MPa", "poisson_ratio": 0.25}, "surroundings": {"gravity": "9.81 m/s^2"},
+  "model": {"physics": ["gravity", "hertz_mindlin")" +
+        physics +
+        R"(],
+    "parameters": {"restitution": {"value": 0.5}, "sliding_friction": {"value": 0.5},
+      "rolling_friction": {"value": 0.1}, "work_of_adhesion": {"value": "0.02 J/m^2"}}},
+  "experiments": [{"id": "pile", "rig": "pile", "conditions": {"base": ")" +
+        base + R"(", "base_diameter": "8 mm", "grains": )" + std::to_string(grains) + "}}]}";
+    engines::write_text(folder.path / "case.json", text);
+    const cases::Case c = cases::read_case((folder.path / "case.json").string());
+    rigs::PileSetup s = rigs::pile_setup(c, c.experiments.front(), 1);
+    rigs::take_lammps_rules(s);
+    return s;
+}
+
+const char* const all_physics = R"(, "adhesion", "rolling_resistance")";
+
+}  // namespace
+
+TEST_CASE("lammps pile: LAMMPS is told E = 2 E*, so that its wall, which halves it, meets E*",
+          "[engines][lammps][pile]") {
+    rigs::ContactParameters c{};
+    c.e_star = 1e6, c.g_star = 2.5e5, c.sliding_friction = 0.5, c.restitution = 1.0;
+    CHECK_THAT(engines::granular_arguments(c, false),
+               Contains("hertz/material 2000000 ") && Contains(" 0 damping tsuji tangential "
+                                                               "mindlin_rescale 2000000 1 0.5"));
+    c.work_of_adhesion = 0.5, c.rolling_friction = 0.25;
+    c.as_lammps = rigs::LammpsRules{500.0, 0.125};
+    CHECK_THAT(engines::granular_arguments(c, false),
+               Contains("jkr 2000000 ") && Contains(" 0 0.25 ") &&
+                   Contains(" rolling sds 500 0.125 0.25") && Contains(" twisting marshall"));
+}
+
+TEST_CASE("lammps pile: the traps of the release are kept out of the deck",
+          "[engines][lammps][pile]") {
+    const rigs::PileSetup s = small_setup("glued_grains", all_physics, 40);
+    const std::string deck = engines::lammps_pile(s).deck;
+    const std::size_t step = deck.find("\ntimestep ");
+    REQUIRE(step != std::string::npos);
+    CHECK(step < deck.find("\nfix "));  // gravity, pour and walls take the step when they are made
+    CHECK(deck.find("\nread_restart ") == std::string::npos);  // crashes with jkr
+    CHECK(deck.find("write_data ") != std::string::npos);
+    CHECK(deck.find("pair/local") == std::string::npos);            // omits stretched contacts
+    for (const auto& [name, text] : engines::lammps_pile(s).files)  // crashes with several ranks
+        CHECK(text.find("Velocities") == std::string::npos);
+    CHECK(deck.find("newton off") < deck.find("create_box"));
+    CHECK(deck.find("thermo_modify lost ignore") > deck.find("thermo_style"));
+}
+
+TEST_CASE("lammps pile: what LAMMPS has not is refused by name", "[engines][lammps][pile]") {
+    const auto message = [](rigs::PileSetup s) -> std::string {
+        try {
+            engines::lammps_pile(s);
+        } catch (const scaling::InvalidInput& e) {
+            return e.what();
+        }
+        return "";
+    };
+    const rigs::PileSetup good = small_setup("flat", all_physics, 20);
+    CHECK(message(good) == "");
+    rigs::PileSetup s = good;
+    s.grains.as_lammps.reset();
+    CHECK_THAT(message(s), Contains("EPSD") && Contains("--contact lammps"));
+    s = good, s.walls.work_of_adhesion = 0.1;
+    CHECK_THAT(message(s), Contains("adhesion at walls") && Contains("glued_grains"));
+    s = good, s.conditions.base = rigs::Base::flat_with_rim;
+    CHECK_THAT(message(s), Contains("rim"));
+    s = good, s.conditions.funnel = rigs::Funnel{1e-3, 2e-3, 1e-3, 1e-3};
+    CHECK_THAT(message(s), Contains("funnel"));
+    s = good, s.grains.rigid_tangential = true;
+    CHECK_THAT(message(s), Contains("hertz_coulomb"));
+    s = good, s.grains.restitution = 0.1;
+    CHECK_THAT(message(s), Contains("0.12"));
+    s = good, s.sleep_speed = 1.0;
+    CHECK_THAT(message(s), Contains("--sleep"));
+}
+
+// t = sqrt(2 s/g): a batch spans sqrt(d/g), so that its first grain has fallen d/2.
+TEST_CASE("lammps pile: every grain is read once, at most d/2 below where it appeared",
+          "[engines][lammps][pile]") {
+    const rigs::PileSetup s = small_setup("flat", all_physics, 200);
+    const auto batches = engines::feed_batches(s);
+    std::size_t next = 0;
+    for (const engines::FeedBatch& b : batches) {
+        CHECK(b.first == next);
+        next = b.last + 1;
+        const double read = static_cast<double>(b.step) * s.time_step;
+        CHECK(read >= s.feed_time[b.last]);
+        const double flown = read - s.feed_time[b.first];
+        CHECK(0.5 * s.gravity * flown * flown <= 0.51 * s.d);  // half a d and one step
+    }
+    CHECK(next == 200);
+    CHECK(batches.size() > 10);
+}
+
+TEST_CASE("lammps pile: one grain falls in LAMMPS as it does here", "[engines][lammps][pile]") {
+    if (!engines::find_program("lmp")) return;
+    const rigs::PileSetup s = small_setup("flat", all_physics, 1);
+    const Scratch folder("lammps-pile-one");
+    engines::write_lammps_deck(engines::lammps_pile(s), folder.path);
+    const auto run = engines::run_lammps_pile("lmp", s, folder.path, 1);
+    REQUIRE(run.record);
+    CHECK(run.record->at_rest);
+    REQUIRE(run.record->heap.centre.size() == 1);
+    rigs::PileRun ours = rigs::begin_pile(s, 1);
+    while (!ours.finished) rigs::advance(ours, s, 1000);
+    const rigs::PileRecord here = rigs::record(ours, s);
+    CHECK(std::abs(here.heap.centre[0].x - run.record->heap.centre[0].x) < 1e-9 * s.d);
+    // It has bounced, on one dashpot; what is left of that is below what counts as rest.
+    CHECK(std::abs(here.heap.centre[0].z - run.record->heap.centre[0].z) < 1e-5 * s.d);
+    CHECK(std::abs(here.steps - run.record->steps) <= 200);  // two looks at rest
+    CHECK(run.record->coordination == 1.0);
+}
+
+TEST_CASE("lammps pile: a heap comes back whole, and the lost are counted",
+          "[engines][lammps][pile]") {
+    if (!engines::find_program("lmp") || !engines::find_program("mpirun")) return;
+    const std::string base = GENERATE("flat", "glued_grains");
+    const rigs::PileSetup s = small_setup(base, all_physics, 120);
+    const Scratch folder("lammps-pile-" + base);
+    engines::write_lammps_deck(engines::lammps_pile(s), folder.path);
+    std::int64_t shown = 0;
+    const auto run = engines::run_lammps_pile(
+        "lmp", s, folder.path, 2, [&](const engines::LammpsProgress& p) { shown = p.step; });
+    CHECK(shown > 0);
+    REQUIRE(run.record);
+    const rigs::PileRecord& r = *run.record;
+    CHECK(r.at_rest);
+    CHECK(r.heap.centre.size() + static_cast<std::size_t>(r.grains_lost) == 120);
+    CHECK(r.grains_lost > 0);
+    CHECK(r.heap.centre.size() > 20);
+    for (const contact::Vec3& p : r.heap.centre) {
+        CHECK(p.z > s.lost_below);
+    }
+    CHECK(r.coordination > 2.0);
+    // No grain was read into another: the deepest overlap at rest is far from a grain.
+    double deepest = 0.0;
+    for (std::size_t i = 0; i < r.heap.centre.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const contact::Vec3 way = r.heap.centre[i] - r.heap.centre[j];
+            deepest = std::max(deepest, s.d - std::sqrt(dot(way, way)));
+        }
+    CHECK(deepest < 0.05 * s.d);
+}
+
+TEST_CASE("lammps pile: an error of LAMMPS is told with its log", "[engines][lammps][pile]") {
+    if (!engines::find_program("lmp")) return;
+    const rigs::PileSetup s = small_setup("flat", all_physics, 5);
+    engines::LammpsDeck deck = engines::lammps_pile(s);
+    deck.deck += "nonsense here\n";
+    deck.deck.insert(0, "nonsense here\n");
+    const Scratch folder("lammps-pile-error");
+    engines::write_lammps_deck(deck, folder.path);
+    CHECK_THROWS_WITH(engines::run_lammps_pile("lmp", s, folder.path, 1),
+                      Contains("nonsense here") && Contains("log.lammps"));
+}
