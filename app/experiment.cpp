@@ -2,11 +2,16 @@
 #include "app/experiment.hpp"
 
 #include "app/forward_curves.hpp"
+#include "app/interrupt.hpp"
 #include "app/pile_cost.hpp"
 #include "app/pile_task.hpp"
+#include "app/progress.hpp"
 #include "app/version.hpp"
 #include "cases/csv.hpp"
 #include "cases/messages.hpp"
+#include "engines/lammps_pile.hpp"
+#include "engines/lammps_run.hpp"
+#include "engines/process.hpp"
 #include "reports/numbers.hpp"
 #include "rigs/drop.hpp"
 #include "rigs/forward.hpp"
@@ -62,7 +67,7 @@ PileTask pile_task(const Case& c, const Experiment& e, const CommonOptions& o,
                    const RunPlace& place) {
     const int threads = threads_of(o);
     PileTask task{.id = e.id,
-                  .setup = counted_setup(c, e, o.seed, place.yes),
+                  .setup = chosen_setup(c, e, o.seed, place.yes, place.engine),
                   .folder = place.folder,
                   .fingerprint = fingerprint_of(fmt::format("\n{} {} {}", e.id, o.seed, version),
                                                 files_of(c, e)),
@@ -71,6 +76,8 @@ PileTask pile_task(const Case& c, const Experiment& e, const CommonOptions& o,
                   .progress = !o.quiet,
                   .dump = place.dump,
                   .checkpoint_every = place.checkpoint_every};
+    if (place.engine.lammps_rules)
+        task.fingerprint = fingerprint_of("lammps rules", task.fingerprint);
     if (place.sleep) {
         task.setup.sleep_speed = rigs::speed_of_rest(task.setup);
         task.fingerprint = fingerprint_of("sleep", task.fingerprint);
@@ -117,6 +124,67 @@ ExperimentRun pile_run(const PileTask& task) {
     return run;
 }
 
+// The deck stays in ID-lammps/, whatever comes of its run.
+ExperimentRun lammps_run(const PileTask& task, int ranks) {
+    const std::filesystem::path lmp = engines::lammps_program("--engine");
+    const std::filesystem::path deck = task.folder / (task.id + "-lammps");
+    engines::write_lammps_deck(engines::lammps_pile(task.setup), deck);
+    const double expected = static_cast<double>(rigs::expected_steps(task.setup));
+    Progress progress(task.progress);
+    progress.start(0.0);
+    std::int64_t reached = 0;
+    const engines::LammpsPileRun lammps = engines::run_lammps_pile(
+        lmp, task.setup, deck, ranks, [&](const engines::LammpsProgress& p) {
+            reached = p.step;
+            const double step = static_cast<double>(p.step);
+            if (progress.due())
+                progress.show(step, expected,
+                              fmt::format("{} in LAMMPS: step {}, {}, {} grains, kinetic {}",
+                                          task.id, reports::count(step),
+                                          reports::quantity(step * task.setup.time_step, "s"),
+                                          p.grains, reports::quantity(p.kinetic, "J")));
+        });
+    ExperimentRun run{
+        task.id, "pile", lammps.seconds, std::nullopt, {{"interrupted_at_step", reached}}};
+    if (lammps.record) {
+        write_pile(task.folder, task.id, *lammps.record);
+        run.section = reports::pile_section(task.id, *lammps.record);
+        run.result = reports::to_json(*lammps.record);
+    }
+    run.result["engine"] = {{"name", "LAMMPS"},
+                            {"version", lammps.release},
+                            {"ranks", ranks},
+                            {"command", engines::command_line(lammps.command)},
+                            {"deck", (deck.filename() / "deck.in").string()},
+                            {"log", (deck.filename() / "log.lammps").string()}};
+    return run;
+}
+
+// What only our own core can do with a pile.
+void refuse_for_lammps(const CommonOptions& o, const RunPlace& place) {
+    const auto refuse = [](const std::string& option, const std::string& remedy) {
+        throw InvalidInput(mistake(option, "with --engine lammps",
+                                   "must be left out: the run is LAMMPS' own", remedy));
+    };
+    if (!place.dump.formats.empty())
+        refuse("--dump", "add a dump to the deck in ID-lammps/ and run it by hand");
+    if (o.resume) refuse("--resume", "start anew");
+    if (place.sleep) refuse("--sleep", "dem_min has it");
+}
+
+std::function<ExperimentRun()> prepared_pile(const Case& c, const Experiment& e,
+                                             const CommonOptions& o, const RunPlace& place) {
+    PileTask task = pile_task(c, e, o, place);
+    if (!place.engine.lammps) return [task] { return pile_run(task); };
+    refuse_for_lammps(o, place);
+    engines::lammps_program("--engine");
+    if (place.engine.ranks > 1 && !engines::find_program("mpirun"))
+        throw InvalidInput(mistake("--ranks", std::to_string(place.engine.ranks),
+                                   "needs the program mpirun", "apt-get install openmpi-bin"));
+    engines::lammps_pile(task.setup);  // says what it cannot take before anything runs
+    return [task, ranks = place.engine.ranks] { return lammps_run(task, ranks); };
+}
+
 ExperimentRun drop_run(const Experiment& e, const rigs::DropSetup& setup,
                        const std::filesystem::path& folder) {
     const auto start = std::chrono::steady_clock::now();
@@ -152,13 +220,47 @@ bool has_curves(const Experiment& e) {
 
 }  // namespace
 
+EngineChoice engine_choice(const std::string& engine, int ranks, const std::string& contact) {
+    const auto one_of = [](const char* option, const std::string& got, const char* a,
+                           const char* b) {
+        if (got != a && got != b)
+            throw InvalidInput(mistake(option, cases::in_quotes(got),
+                                       fmt::format("must be {} or {}", a, b),
+                                       fmt::format("{} is the default", a)));
+        return got == b;
+    };
+    EngineChoice choice;
+    choice.lammps = one_of("--engine", engine, "dem_min", "lammps");
+    choice.lammps_rules = one_of("--contact", contact, "own", "lammps");
+    if (ranks != 0 && !choice.lammps)
+        throw InvalidInput(mistake("--ranks", std::to_string(ranks), "must go with --engine lammps",
+                                   "the core takes --threads"));
+    if (ranks < 0)
+        throw InvalidInput(
+            mistake("--ranks", std::to_string(ranks), "must be > 0", "1 is the default"));
+    choice.ranks = ranks == 0 ? 1 : ranks;
+    return choice;
+}
+
+rigs::PileSetup chosen_setup(const Case& c, const Experiment& e, std::uint64_t seed, bool yes,
+                             const EngineChoice& choice) {
+    rigs::PileSetup setup = counted_setup(c, e, seed, yes);
+    if (choice.lammps_rules) rigs::take_lammps_rules(setup);
+    return setup;
+}
+
 bool can_simulate(const Experiment& e) {
     return e.rig == "pile" || e.rig == "drop" || has_curves(e);
 }
 
 std::function<ExperimentRun()> prepared(const Case& c, const Experiment& e, const CommonOptions& o,
                                         const RunPlace& place) {
-    if (e.rig == "pile") return [task = pile_task(c, e, o, place)] { return pile_run(task); };
+    if (e.rig == "pile") return prepared_pile(c, e, o, place);
+    if (place.engine.lammps)
+        throw InvalidInput(mistake("experiment " + cases::in_quotes(e.id),
+                                   "rig " + cases::in_quotes(e.rig),
+                                   "must be of the rig pile for --engine lammps",
+                                   "choose a pile by --experiment, or leave --engine out"));
     if (e.rig == "drop")
         return [&e, setup = rigs::drop_setup(c, e), folder = place.folder] {
             return drop_run(e, setup, folder);

@@ -6,6 +6,7 @@
 #include "app/dump.hpp"
 #include "cases/case.hpp"
 #include "reports/runs.hpp"
+#include "rigs/pile.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -27,12 +28,27 @@ struct ExperimentRun {
     std::function<void()> forget = [] {};        // once all results are on disk: the checkpoint
 };
 
+// Who runs a pile, and by which contact rules.
+struct EngineChoice {
+    bool lammps = false;        // or our own core
+    int ranks = 1;              // of MPI, for LAMMPS
+    bool lammps_rules = false;  // rigs::take_lammps_rules
+};
+
+// From --engine, --ranks (0 where not given) and --contact. Throws scaling::InvalidInput.
+EngineChoice engine_choice(const std::string& engine, int ranks, const std::string& contact);
+
+// The setup of a pile of the case as it is run: counted_setup, under the rules chosen. Throws scaling::InvalidInput.
+rigs::PileSetup chosen_setup(const cases::Case&, const cases::Experiment&, std::uint64_t seed,
+                             bool yes, const EngineChoice&);
+
 struct RunPlace {
     std::filesystem::path folder;
     bool yes;  // run whatever it costs
     DumpPlan dump{};
     double checkpoint_every = 300.0;  // s of wall time
     bool sleep = false;               // quiet regions of a heap are left out
+    EngineChoice engine{};
 };
 
 // Checks everything that can be wrong with the experiment now and returns what runs it later:

@@ -32,6 +32,8 @@ struct SimulateOptions {
     CommonOptions common;
     std::string path, experiment, out = "out";
     std::string dump, dump_every, checkpoint_every = "5 min";
+    std::string engine = "dem_min", contact = "own";
+    int ranks = 0;
     bool yes = false, sleep = false;
 };
 
@@ -41,7 +43,9 @@ constexpr const char* examples = R"(Examples:
   similitude simulate my-powder --out runs/seed-3 --seed 3 --resume
       go on after an interrupt (Ctrl-C writes a checkpoint)
   similitude simulate my-powder --dump vtp,lammps --dump-every "5 ms"
-      frames for ParaView (out/ID.pvd), OVITO and LAMMPS (out/ID.lammpstrj))";
+      frames for ParaView (out/ID.pvd), OVITO and LAMMPS (out/ID.lammpstrj)
+  similitude simulate my-powder --experiment heap --engine lammps --ranks 2 --contact lammps
+      the same feed in LAMMPS; its deck and log stay in out/heap-lammps)";
 
 std::vector<const Experiment*> chosen(const Case& c, const std::string& id) {
     std::vector<const Experiment*> all;
@@ -132,7 +136,8 @@ RunPlace place_of(const SimulateOptions& o) {
     if (!(wall > 0.0))
         throw InvalidInput(mistake("--checkpoint-every", cases::in_quotes(o.checkpoint_every),
                                    "must be > 0", "write a wall time, such as \"5 min\""));
-    return {o.out, o.yes, dump_plan(o.dump, o.dump_every), wall, o.sleep};
+    return {o.out, o.yes,   dump_plan(o.dump, o.dump_every),
+            wall,  o.sleep, engine_choice(o.engine, o.ranks, o.contact)};
 }
 
 void refuse_dump_without_pile(const std::vector<const Experiment*>& experiments,
@@ -204,6 +209,17 @@ Verb simulate_verb(CLI::App& app, const std::string& command) {
         "--sleep", options->sleep,
         "leave out regions of a heap that are at rest until something comes: faster, and "
         "not quite the same heap");
+    verb->add_option("--engine", options->engine,
+                     "who runs the piles: dem_min, or lammps (the program lmp)")
+        ->type_name("ENGINE")
+        ->capture_default_str();
+    verb->add_option("--ranks", options->ranks, "MPI ranks of LAMMPS; 1 by default")
+        ->type_name("N");
+    verb->add_option("--contact", options->contact,
+                     "contact rules of the piles: own, or lammps (those that LAMMPS has too, on "
+                     "either engine)")
+        ->type_name("RULES")
+        ->capture_default_str();
     add_common(*verb, options->common);
     verb->footer(examples);
     return {verb, [options, command] { return run(*options, command); }};
