@@ -112,3 +112,70 @@ TEST_CASE("simulate: the other rigs with a single grain write their channels", "
     CHECK(contents(f / "out/curve.csv").find("separation [m],force [N],branch\n") == 0);
     CHECK(contents(f / "page.html").find("force against separation") != std::string::npos);
 }
+
+TEST_CASE("simulate: LAMMPS runs a pile only by rules that it has", "[app][simulate][lammps]") {
+    const Folder f;
+    const std::string path = f.write("case.json", tiny_case("\"grains\": 300", "\"grains\": 30"));
+    const auto says = [&](std::vector<std::string> more, const std::string& words) {
+        std::vector<std::string> all = {"simulate", path, "--out", f / "out"};
+        all.insert(all.end(), more.begin(), more.end());
+        const Outcome o = similitude(all);
+        INFO(o.err);
+        CHECK(o.code == 2);
+        CHECK(o.err.find(words) != std::string::npos);
+    };
+    says({"--engine", "lamps"}, "must be dem_min or lammps");
+    says({"--ranks", "2"}, "must go with --engine lammps");
+    says({"--engine", "lammps"},
+         std::filesystem::exists("/usr/bin/lmp") ? "--contact lammps" : "apt-get install lammps");
+}
+
+TEST_CASE("simulate: a heap of LAMMPS has the files and the manifest of one of ours",
+          "[app][simulate][lammps]") {
+    if (!std::filesystem::exists("/usr/bin/lmp")) return;
+    const Folder f;
+    const std::string path = f.write("case.json", tiny_case("\"grains\": 300", "\"grains\": 30"));
+    const Outcome o = similitude(
+        {"simulate", path, "--out", f / "out", "--engine", "lammps", "--contact", "lammps"});
+    INFO(o.err);
+    REQUIRE(o.code == 0);
+    const Json run = manifest(f, "out").at("runs").at(0).at("result");
+    CHECK(run.at("grains_fed") == 30);
+    CHECK(run.at("engine").at("name") == "LAMMPS");
+    CHECK(run.at("engine").at("version").get<std::string>() != "unknown");
+    CHECK(contents(f / "out/pile.csv").starts_with("azimuth [rad],r [m],z [m]"));
+    CHECK(contents(f / "out/pile-grains.csv").starts_with("x [m],y [m],z [m],radius [m]"));
+    CHECK(std::filesystem::exists(f / "out/pile-lammps/deck.in"));
+}
+
+TEST_CASE("simulate: Ctrl-C ends LAMMPS too", "[app][simulate][lammps]") {
+    if (!std::filesystem::exists("/usr/bin/lmp")) return;
+    const Folder f;
+    const std::string path = f.write("case.json", tiny_case("\"grains\": 300", "\"grains\": 9000"));
+    const Outcome o = similitude({"simulate", path, "--out", f / "out", "--engine", "lammps",
+                                  "--contact", "lammps", "--yes"},
+                                 2000);
+    INFO(o.err);
+    CHECK(o.code == 130);
+    CHECK_FALSE(manifest(f, "out").at("runs").at(0).at("finished").get<bool>());
+    CHECK(std::filesystem::exists(f / "out/pile-lammps/log.lammps"));
+}
+
+TEST_CASE("export: a deck and a script for SLURM, the deck that simulate runs", "[app][export]") {
+    const Folder f;
+    const std::string path = f.write("case.json", tiny_case("\"grains\": 300", "\"grains\": 30"));
+    const Outcome o = similitude({"export", path, "--engine", "lammps", "--out", f / "deck",
+                                  "--submit", "slurm", "--ranks", "32"});
+    INFO(o.err);
+    REQUIRE(o.code == 0);
+    const std::string script = contents(f / "deck/pile-lammps/job.sh");
+    CHECK(script.starts_with("#!/bin/sh\n"));
+    CHECK(script.find("#SBATCH --ntasks=32\n") != std::string::npos);
+    CHECK(script.find("srun lmp -in deck.in") != std::string::npos);
+    CHECK(contents(f / "deck/pile-lammps/deck.in").find("pair_style granular") !=
+          std::string::npos);
+    CHECK(std::filesystem::exists(f / "deck/pile-lammps/feed/1.data"));
+    const Outcome other = similitude({"export", path, "--engine", "yade"});
+    CHECK(other.code == 2);
+    CHECK(other.err.find("must be lammps") != std::string::npos);
+}

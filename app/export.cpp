@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "app/export.hpp"
+
+#include "app/exit_code.hpp"
+#include "app/experiment.hpp"
+#include "cases/messages.hpp"
+#include "cases/read_case.hpp"
+#include "engines/lammps_pile.hpp"
+#include "scaling/errors.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+
+namespace app {
+
+namespace {
+
+using scaling::InvalidInput;
+using scaling::mistake;
+
+struct ExportOptions {
+    std::string path, experiment, engine, out = "out", contact = "lammps", submit;
+    std::uint64_t seed = 1;
+    int ranks = 1;
+};
+
+constexpr const char* examples = R"(Examples:
+  similitude export my-powder --engine lammps --out runs/deck --seed 3
+      deck.in and its data files for every pile of the case, each in runs/deck/ID-lammps
+  similitude export my-powder --engine lammps --out runs/deck --submit slurm --ranks 32
+      and job.sh beside each deck: sbatch job.sh)";
+
+// Of the words of the deck's own folder; srun starts the ranks.
+std::string slurm_script(const std::string& id, int ranks) {
+    std::string script = fmt::format(R"(#!/bin/sh
+# Written by similitude, never run on a cluster: add partition, account and modules as yours wants them.
+#SBATCH --job-name={}
+#SBATCH --ntasks={}
+#SBATCH --time=24:00:00
+#SBATCH --output=job.log
+set -eu
+)",
+                                     id, ranks);
+    script += "cd \"${SLURM_SUBMIT_DIR:-.}\"\n";
+    return script + "exec srun lmp -in deck.in -log log.lammps\n";
+}
+
+int run(const ExportOptions& o) {
+    const cases::Case c = cases::read_case(o.path);
+    if (o.engine != "lammps")
+        throw InvalidInput(mistake("--engine", cases::in_quotes(o.engine), "must be lammps",
+                                   "no other engine has a deck yet"));
+    if (!o.submit.empty() && o.submit != "slurm")
+        throw InvalidInput(mistake("--submit", cases::in_quotes(o.submit), "must be slurm",
+                                   "leave it out and start the deck yourself"));
+    const EngineChoice choice = engine_choice(o.engine, o.ranks, o.contact);
+    std::vector<std::string> ids;
+    std::vector<std::pair<std::string, engines::LammpsDeck>> decks;
+    for (const cases::Experiment& e : c.experiments) {
+        if (e.rig != "pile") continue;
+        ids.push_back(e.id);
+        if (o.experiment.empty() || e.id == o.experiment)
+            decks.emplace_back(e.id,
+                               engines::lammps_pile(chosen_setup(c, e, o.seed, true, choice)));
+    }
+    if (decks.empty())
+        throw InvalidInput(
+            mistake("--experiment", o.experiment.empty() ? "none" : cases::in_quotes(o.experiment),
+                    "must be a pile of the case",
+                    ids.empty() ? "this case has none" : cases::suggestion(o.experiment, ids)));
+    for (const auto& [id, deck] : decks) {
+        const std::filesystem::path folder = std::filesystem::path(o.out) / (id + "-lammps");
+        engines::write_lammps_deck(deck, folder);
+        if (!o.submit.empty())
+            write_file((folder / "job.sh").string(), slurm_script(id, choice.ranks));
+        fmt::print("{}\n", (folder / "deck.in").string());
+    }
+    return fine;
+}
+
+}  // namespace
+
+Verb export_verb(CLI::App& app, const std::string&) {
+    const auto options = std::make_shared<ExportOptions>();
+    CLI::App* verb = app.add_subcommand("export", "a pile as a deck that another engine runs");
+    verb->add_option("CASE", options->path, "case.json or its folder")->required();
+    verb->add_option("--engine", options->engine, "lammps")->type_name("ENGINE")->required();
+    verb->add_option("--experiment", options->experiment, "only this one; all piles otherwise")
+        ->type_name("ID");
+    verb->add_option("--out", options->out, "folder for the decks")
+        ->type_name("DIR")
+        ->capture_default_str();
+    verb->add_option("--seed", options->seed, "of feeding places and sizes")->capture_default_str();
+    verb->add_option("--contact", options->contact,
+                     "contact rules: lammps (those that LAMMPS has), or own where the case needs "
+                     "nothing that differs")
+        ->type_name("RULES")
+        ->capture_default_str();
+    verb->add_option("--ranks", options->ranks, "MPI ranks that the script asks for")
+        ->type_name("N")
+        ->capture_default_str();
+    verb->add_option("--submit", options->submit, "slurm: write job.sh beside the deck")
+        ->type_name("SYSTEM");
+    verb->footer(examples);
+    return {verb, [options] { return run(*options); }};
+}
+
+}  // namespace app
