@@ -203,7 +203,7 @@ fix motion loose nve/sphere
            base_text(s);
 }
 
-// What the loops below ask: kinetic energy over m g d, top of the heap, highest point a rebounding grain will reach.
+// What the loops below ask: kinetic energy over m g d, top of the heap, of the grains that rise, of all.
 std::string questions(const PileSetup& s) {
     const double mass = s.density * (std::numbers::pi / 6.0) * (s.d * s.d * s.d);
     return fmt::format(R"(
@@ -211,23 +211,25 @@ compute kinetic loose ke
 compute radius all property/atom radius
 compute touching all contact/atom
 variable restless equal c_kinetic/((count(loose)+(count(loose)==0))*{unit:.17g})
-# Heap: grains that touch another and are slow. Grains that rise: where they turn, and room for a batch that has fallen d/2.
+# Heap: grains that touch another and are slow. Astray: grains that rise.
 variable heap atom (c_touching>0)*((vx*vx+vy*vy+vz*vz)<{slow:.17g})*(z+c_radius+{two_d:.17g})
-variable rising atom (vz>0)*(z+vz*vz/{two_g:.17g}+c_radius+{room:.17g})
-compute top loose reduce max v_heap v_rising
+variable astray atom (vz>0)*(z+c_radius+{room:.17g})
+variable any atom z+c_radius+{room:.17g}
+compute top loose reduce max v_heap v_astray v_any
 thermo 2000
-thermo_style custom step atoms c_kinetic c_top[1] c_top[2]
+thermo_style custom step atoms c_kinetic c_top[1] c_top[2] c_top[3]
 # What falls below the base or flies off is gone.
 thermo_modify lost ignore flush yes
 )",
                        fmt::arg("unit", mass * s.gravity * s.d),
                        fmt::arg("slow", 0.25 * s.gravity * s.d), fmt::arg("two_d", 2.0 * s.d),
-                       fmt::arg("two_g", 2.0 * s.gravity), fmt::arg("room", 0.6 * s.d));
+                       fmt::arg("room", 0.6 * s.d));
 }
 
 std::string feed_loop(const PileSetup& s, std::size_t batches) {
     return fmt::format(R"(
-# The feed: batch k is read at the k-th step of feed-steps.txt, shifted up where the heap has grown to within 2 d of it.
+# The feed: batch k is read at the k-th step of feed-steps.txt, shifted up where the heap has grown to within 2 d of it
+# or a grain is in its way, and down again only when it meets none of those read before.
 variable up string 0
 variable fall atom q
 variable batch loop {n}
@@ -235,9 +237,12 @@ variable due file feed-steps.txt
 label feed
 run ${{due}} upto post no
 variable heap_up equal c_top[1]-{mouth:.17g}
-variable rising_up equal c_top[2]-{mouth:.17g}
+variable astray_up equal c_top[2]-{mouth:.17g}
+variable any_up equal c_top[3]-{mouth:.17g}
+if "${{any_up}} < ${{up}}" then "variable up string ${{any_up}}"
 if "${{heap_up}} > ${{up}}" then "variable up string ${{heap_up}}"
-if "${{rising_up}} > ${{up}}" then "variable up string ${{rising_up}}"
+if "${{astray_up}} > ${{up}}" then "variable up string ${{astray_up}}"
+if "${{up}} < 0" then "variable up string 0"
 read_data feed/${{batch}}.data add append shift 0 0 ${{up}} group fresh
 group loose type 1
 velocity fresh set NULL NULL v_fall units box
@@ -286,9 +291,9 @@ write_data final.data nocoeff
 
 bool read_progress(const std::string& line, LammpsProgress& p) {
     long long step = 0, grains = 0;
-    double kinetic = 0.0, heap = 0.0, rising = 0.0;
-    if (std::sscanf(line.c_str(), " %lld %lld %lf %lf %lf", &step, &grains, &kinetic, &heap,
-                    &rising) != 5)
+    double kinetic = 0.0, heap = 0.0, astray = 0.0, any = 0.0;
+    if (std::sscanf(line.c_str(), " %lld %lld %lf %lf %lf %lf", &step, &grains, &kinetic, &heap,
+                    &astray, &any) != 6)
         return false;
     p = {step, grains, kinetic};
     return true;
