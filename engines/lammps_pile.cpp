@@ -228,8 +228,8 @@ thermo_modify lost ignore flush yes
 
 std::string feed_loop(const PileSetup& s, std::size_t batches) {
     return fmt::format(R"(
-# The feed: batch k is read at the k-th step of feed-steps.txt, shifted up where the heap has grown to within 2 d of it
-# or a grain is in its way, and down again only when it meets none of those read before.
+# The feed: batch k is read at the k-th step of feed-steps.txt, shifted up where the heap has grown to within 2 d of it,
+# and down again only when it meets none of those read before.
 variable up string 0
 variable fall atom q
 variable batch loop {n}
@@ -237,11 +237,9 @@ variable due file feed-steps.txt
 label feed
 run ${{due}} upto post no
 variable heap_up equal c_top[1]-{mouth:.17g}
-variable astray_up equal c_top[2]-{mouth:.17g}
 variable any_up equal c_top[3]-{mouth:.17g}
 if "${{any_up}} < ${{up}}" then "variable up string ${{any_up}}"
 if "${{heap_up}} > ${{up}}" then "variable up string ${{heap_up}}"
-if "${{astray_up}} > ${{up}}" then "variable up string ${{astray_up}}"
 if "${{up}} < 0" then "variable up string 0"
 read_data feed/${{batch}}.data add append shift 0 0 ${{up}} group fresh
 group loose type 1
