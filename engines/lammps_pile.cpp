@@ -32,13 +32,6 @@ constexpr double at_rest_below = 1e-6;    // of m g d
     throw scaling::InvalidInput(scaling::mistake(option, "lammps", what, remedy));
 }
 
-// Of a dashpot alpha sqrt(m k), k = 4/3 E* a, by the restitution e of a Hertz impact (Antypov & Elliott 2011).
-double alpha_of(double e) {
-    if (e <= 0.0) return std::sqrt(5.0);
-    const double l = std::log(e);
-    return -std::sqrt(5.0) * l / std::sqrt(l * l + std::numbers::pi * std::numbers::pi);
-}
-
 bool sticky(const rigs::ContactParameters& c) { return c.work_of_adhesion > 0.0; }
 
 void refuse_what_lammps_has_not(const PileSetup& s, const std::string& option) {
@@ -50,14 +43,14 @@ void refuse_what_lammps_has_not(const PileSetup& s, const std::string& option) {
                "say --contact lammps: SDS rolling and tear-off at the deepest tension, on either "
                "engine");
     if (s.grains.rigid_tangential) refuse(option, "has no rigid friction (hertz_coulomb)", ours);
-    if (c.base != rigs::Base::glued_grains && sticky(s.walls))
-        refuse(option,
-               "has no adhesion at walls: its wall contact becomes NaN beyond the fold of JKR",
-               "take glued_grains for the base, or leave the option out");
+    if (c.base != rigs::Base::glued_grains)
+        refuse(
+            option,
+            "damps walls by another dashpot in every run of a deck (damping tsuji), and the feed "
+            "has a run for every batch",
+            "take glued_grains for the base, or leave the option out");
     if (!s.materials.pairs.empty()) refuse(option, "is told of one material only", ours);
-    if (c.base == rigs::Base::flat_with_rim || c.funnel || !c.meshes.empty())
-        refuse(option, "is told of flat bases and glued grains only, without rim, funnel or mesh",
-               ours);
+    if (c.funnel || !c.meshes.empty()) refuse(option, "is told of no funnel and no mesh", ours);
     if (s.sleep_speed > 0.0) refuse(option, "does not sleep", "leave --sleep out");
     if (s.grains.restitution < most_damping)
         refuse(option, "cannot damp below a restitution of 0.12 (damping tsuji ends there)",
@@ -154,24 +147,11 @@ std::string batch_text(const PileSetup& s, const FeedBatch& batch, const std::ve
     return added_data(grains, box_of(s));
 }
 
-// The base as walls or as frozen grains.
-std::string base_text(const PileSetup& s) {
-    if (s.conditions.base == rigs::Base::glued_grains)
-        return "# Glued grains: frozen, and infinitely heavy in the reduced mass of a contact.\n"
-               "fix hold glued freeze\n";
-    return fmt::format(
-        "# A disc a tenth of d thick, felt from outside: LAMMPS' wall planes have no end.\n"
-        "region plate cylinder z 0 0 {:.17g} {:.17g} 0 side out units box\n"
-        "fix plate loose wall/gran/region granular {} region plate\n",
-        0.5 * s.conditions.base_diameter, -0.1 * s.d, granular_arguments(s.walls, true));
-}
-
 std::string head(const PileSetup& s) {
     const Box box = box_of(s);
-    const bool glue = s.conditions.base == rigs::Base::glued_grains;
     // The margin must hold a neck that is stretched: LAMMPS ends it where the list is made anew and has lost the pair.
     return fmt::format(
-               R"(# The rig pile of similitude in LAMMPS, release of 29 Sep 2021: lmp -in deck.in, or mpirun -np N lmp -in deck.in.
+        R"(# The rig pile of similitude in LAMMPS, release of 29 Sep 2021: lmp -in deck.in, or mpirun -np N lmp -in deck.in.
 # Loose grains have type 1, glued ones type 2. SI units; the base's top is z = 0.
 units si
 # The charge of a grain is the velocity at which it is fed, m/s, and nothing else.
@@ -186,7 +166,8 @@ region all block {xl:.17g} {xh:.17g} {yl:.17g} {yh:.17g} {zl:.17g} {zh:.17g} uni
 create_box 2 all
 group loose type 1
 group glued type 2
-{base}neighbor {skin:.17g} bin
+read_data base.data add append group glued
+neighbor {skin:.17g} bin
 neigh_modify delay 0 every 1 check yes exclude group glued glued
 pair_style granular
 pair_coeff * * {pair}
@@ -194,13 +175,13 @@ pair_coeff * * {pair}
 timestep {dt:.17g}
 fix fall loose gravity {g:.17g} vector 0 0 -1
 fix motion loose nve/sphere
+# Glued grains: frozen, and infinitely heavy in the reduced mass of a contact.
+fix hold glued freeze
 )",
-               fmt::arg("xl", box.low.x), fmt::arg("xh", box.high.x), fmt::arg("yl", box.low.y),
-               fmt::arg("yh", box.high.y), fmt::arg("zl", box.low.z), fmt::arg("zh", box.high.z),
-               fmt::arg("base", glue ? "read_data base.data add append group glued\n" : ""),
-               fmt::arg("skin", 0.4 * s.d), fmt::arg("pair", granular_arguments(s.grains, false)),
-               fmt::arg("dt", s.time_step), fmt::arg("g", s.gravity)) +
-           base_text(s);
+        fmt::arg("xl", box.low.x), fmt::arg("xh", box.high.x), fmt::arg("yl", box.low.y),
+        fmt::arg("yh", box.high.y), fmt::arg("zl", box.low.z), fmt::arg("zh", box.high.z),
+        fmt::arg("skin", 0.4 * s.d), fmt::arg("pair", granular_arguments(s.grains)),
+        fmt::arg("dt", s.time_step), fmt::arg("g", s.gravity));
 }
 
 // What the loops below ask: kinetic energy over m g d, top of the heap, of the grains that rise, of all.
@@ -299,8 +280,8 @@ bool read_progress(const std::string& line, LammpsProgress& p) {
 
 }  // namespace
 
-std::string granular_arguments(const rigs::ContactParameters& c, bool at_wall) {
-    const double e = at_wall ? alpha_of(c.restitution) : restitution_to_tell(c.restitution);
+std::string granular_arguments(const rigs::ContactParameters& c) {
+    const double e = restitution_to_tell(c.restitution);
     const double young = 2.0 * c.e_star;
     std::string text =
         sticky(c) ? fmt::format("jkr {:.17g} {:.17g} 0 {:.17g}", young, e, 0.5 * c.work_of_adhesion)
@@ -333,8 +314,7 @@ LammpsDeck lammps_pile(const PileSetup& s, const std::string& option) {
     const std::vector<FeedBatch> batches = feed_batches(s);
     const std::vector<double> z = feed_heights(s, batches);
     LammpsDeck result{head(s) + questions(s) + feed_loop(s, batches.size()) + rest_loop(s), {}};
-    if (s.conditions.base == rigs::Base::glued_grains)
-        result.files.emplace_back("base.data", added_data(glued(s), box_of(s)));
+    result.files.emplace_back("base.data", added_data(glued(s), box_of(s)));
     std::string steps;
     for (std::size_t k = 0; k < batches.size(); ++k) {
         steps += fmt::format("{}\n", batches[k].step);
@@ -371,8 +351,6 @@ rigs::PileRecord read_lammps_pile(const PileSetup& setup, const std::filesystem:
     const std::size_t touching = f.column("c_touching");
     rigs::PileRun run = rigs::begin_pile(setup, 1);
     dem_min::Simulation& s = run.simulation;
-    const double base = 0.5 * setup.conditions.base_diameter;
-    const bool flat = setup.conditions.base != rigs::Base::glued_grains;
     double contacts = 0.0;
     std::int64_t loose = 0;
     for (const std::vector<double>& row : f.rows) {
@@ -382,9 +360,7 @@ rigs::PileRecord read_lammps_pile(const PileSetup& setup, const std::filesystem:
                             {row[w], row[w + 1], row[w + 2]},
                             row[radius],
                             density_of(setup)});
-        const bool on_plate =
-            flat && row[x + 2] <= row[radius] && std::hypot(row[x], row[x + 1]) <= base;
-        contacts += row[touching] + (on_plate ? 1.0 : 0.0);
+        contacts += row[touching];
         ++loose;
     }
     run.fed = setup.feed_time.size();

@@ -33,12 +33,12 @@ std::vector<FeedBatch> feed_batches(const rigs::PileSetup&);
 
 // What follows `pair_coeff * *`, and `granular` in `fix wall/gran/region`. The moduli are told as E = 2 E* with nu = 0, which
 // gives E* between grains and, by LAMMPS' own rule E/2, at a wall; k_t/a = 8 G* as a number.
-// `tsuji` takes the restitution between grains and makes a damping coefficient of it by a polynomial; at walls this release takes
-// the number for that coefficient itself (measured: tests/engines).
-std::string granular_arguments(const rigs::ContactParameters&, bool at_wall);
+// `tsuji` is told the restitution that gives the case's (restitution_to_tell). A pair has it; a wall of this release does not: its
+// number goes through the polynomial anew in every run of a deck.
+std::string granular_arguments(const rigs::ContactParameters&);
 
 // Throws scaling::InvalidInput, which names `option`, for what LAMMPS has not or we have not told it yet: contact rules of our own,
-// rigid friction, adhesion at walls, several materials, a rim, funnel or mesh, sleep, a restitution below 0.12.
+// rigid friction, any base but glued grains, several materials, a funnel or mesh, sleep, a restitution below 0.12.
 LammpsDeck lammps_pile(const rigs::PileSetup&, const std::string& option = "--engine");
 
 void write_lammps_deck(const LammpsDeck&, const std::filesystem::path& folder);

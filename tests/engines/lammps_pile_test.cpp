@@ -47,14 +47,14 @@ TEST_CASE("lammps pile: LAMMPS is told E = 2 E*, so that its wall, which halves 
           "[engines][lammps][pile]") {
     rigs::ContactParameters c{};
     c.e_star = 1e6, c.g_star = 2.5e5, c.sliding_friction = 0.5, c.restitution = 1.0;
-    CHECK_THAT(engines::granular_arguments(c, false),
+    CHECK_THAT(engines::granular_arguments(c),
                Contains("hertz/material 2000000 ") && Contains(" 0 damping tsuji tangential "
                                                                "mindlin_rescale 2000000 1 0.5"));
     c.work_of_adhesion = 0.5, c.rolling_friction = 0.25;
     c.as_lammps = rigs::LammpsRules{500.0, 0.125};
-    CHECK_THAT(engines::granular_arguments(c, false),
-               Contains("jkr 2000000 ") && Contains(" 0 0.25 ") &&
-                   Contains(" rolling sds 500 0.125 0.25") && Contains(" twisting marshall"));
+    CHECK_THAT(engines::granular_arguments(c), Contains("jkr 2000000 ") && Contains(" 0 0.25 ") &&
+                                                   Contains(" rolling sds 500 0.125 0.25") &&
+                                                   Contains(" twisting marshall"));
 }
 
 TEST_CASE("lammps pile: the traps of the release are kept out of the deck",
@@ -84,15 +84,13 @@ TEST_CASE("lammps pile: what LAMMPS has not is refused by name", "[engines][lamm
         }
         return "";
     };
-    const rigs::PileSetup good = small_setup("flat", all_physics, 20);
+    const rigs::PileSetup good = small_setup("glued_grains", all_physics, 20);
     CHECK(message(good) == "");
     rigs::PileSetup s = good;
     s.grains.as_lammps.reset();
     CHECK_THAT(message(s), Contains("EPSD") && Contains("--contact lammps"));
-    s = good, s.walls.work_of_adhesion = 0.1;
-    CHECK_THAT(message(s), Contains("adhesion at walls") && Contains("glued_grains"));
-    s = good, s.conditions.base = rigs::Base::flat_with_rim;
-    CHECK_THAT(message(s), Contains("rim"));
+    s = good, s.conditions.base = GENERATE(rigs::Base::flat, rigs::Base::flat_with_rim);
+    CHECK_THAT(message(s), Contains("walls") && Contains("glued_grains"));
     s = good, s.conditions.funnel = rigs::Funnel{1e-3, 2e-3, 1e-3, 1e-3};
     CHECK_THAT(message(s), Contains("funnel"));
     s = good, s.grains.rigid_tangential = true;
@@ -106,7 +104,7 @@ TEST_CASE("lammps pile: what LAMMPS has not is refused by name", "[engines][lamm
 // t = sqrt(2 s/g): a batch spans sqrt(d/g), so that its first grain has fallen d/2.
 TEST_CASE("lammps pile: every grain is read once, at most d/2 below where it appeared",
           "[engines][lammps][pile]") {
-    const rigs::PileSetup s = small_setup("flat", all_physics, 200);
+    const rigs::PileSetup s = small_setup("glued_grains", all_physics, 200);
     const auto batches = engines::feed_batches(s);
     std::size_t next = 0;
     for (const engines::FeedBatch& b : batches) {
@@ -121,9 +119,10 @@ TEST_CASE("lammps pile: every grain is read once, at most d/2 below where it app
     CHECK(batches.size() > 10);
 }
 
+// It bounces among glued grains and comes to rest in a hollow: each oblique bounce makes the difference of the two integrators larger.
 TEST_CASE("lammps pile: one grain falls in LAMMPS as it does here", "[engines][lammps][pile]") {
     if (!engines::find_program("lmp")) return;
-    const rigs::PileSetup s = small_setup("flat", all_physics, 1);
+    const rigs::PileSetup s = small_setup("glued_grains", all_physics, 1);
     const Scratch folder("lammps-pile-one");
     engines::write_lammps_deck(engines::lammps_pile(s), folder.path);
     const auto run = engines::run_lammps_pile("lmp", s, folder.path, 1);
@@ -133,19 +132,17 @@ TEST_CASE("lammps pile: one grain falls in LAMMPS as it does here", "[engines][l
     rigs::PileRun ours = rigs::begin_pile(s, 1);
     while (!ours.finished) rigs::advance(ours, s, 1000);
     const rigs::PileRecord here = rigs::record(ours, s);
-    CHECK(std::abs(here.heap.centre[0].x - run.record->heap.centre[0].x) < 1e-9 * s.d);
-    // It has bounced, on one dashpot; what is left of that is below what counts as rest.
-    CHECK(std::abs(here.heap.centre[0].z - run.record->heap.centre[0].z) < 1e-5 * s.d);
+    CHECK(std::abs(here.heap.centre[0].x - run.record->heap.centre[0].x) < 1e-3 * s.d);
+    CHECK(std::abs(here.heap.centre[0].z - run.record->heap.centre[0].z) < 1e-3 * s.d);
     CHECK(std::abs(here.steps - run.record->steps) <= 200);  // two looks at rest
-    CHECK(run.record->coordination == 1.0);
+    CHECK(run.record->coordination == here.coordination);
 }
 
 TEST_CASE("lammps pile: a heap comes back whole, and the lost are counted",
           "[engines][lammps][pile]") {
     if (!engines::find_program("lmp") || !engines::find_program("mpirun")) return;
-    const std::string base = GENERATE("flat", "glued_grains");
-    const rigs::PileSetup s = small_setup(base, all_physics, 120);
-    const Scratch folder("lammps-pile-" + base);
+    const rigs::PileSetup s = small_setup("glued_grains", all_physics, 120);
+    const Scratch folder("lammps-pile-heap");
     engines::write_lammps_deck(engines::lammps_pile(s), folder.path);
     std::int64_t shown = 0;
     const auto run = engines::run_lammps_pile(
@@ -173,7 +170,7 @@ TEST_CASE("lammps pile: a heap comes back whole, and the lost are counted",
 
 TEST_CASE("lammps pile: an error of LAMMPS is told with its log", "[engines][lammps][pile]") {
     if (!engines::find_program("lmp")) return;
-    const rigs::PileSetup s = small_setup("flat", all_physics, 5);
+    const rigs::PileSetup s = small_setup("glued_grains", all_physics, 5);
     engines::LammpsDeck deck = engines::lammps_pile(s);
     deck.deck += "nonsense here\n";
     deck.deck.insert(0, "nonsense here\n");
