@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engines/lammps_files.hpp"
 
+#include "engines/lammps_run.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -103,6 +105,27 @@ std::vector<LammpsFrame> read_lammps_dump(const std::string& text, const std::st
         frames.push_back(frame_from(lines, frames.size()));
     }
     return frames;
+}
+
+FinalGrains read_final_grains(const std::filesystem::path& folder, double density,
+                              const std::string& extra) {
+    const std::string file = (folder / "final.dump").string();
+    const auto frames = read_lammps_dump(file_text(file), file);
+    if (frames.size() != 1) throw std::runtime_error(file + ": not one frame");
+    const LammpsFrame& f = frames.front();
+    const std::size_t x = f.column("x"), v = f.column("vx"), w = f.column("omegax");
+    const std::size_t radius = f.column("radius"), type = f.column("type");
+    FinalGrains all{f.step, {}, {}};
+    for (const std::vector<double>& row : f.rows) {
+        all.grains.push_back({{row[x], row[x + 1], row[x + 2]},
+                              {row[v], row[v + 1], row[v + 2]},
+                              {row[w], row[w + 1], row[w + 2]},
+                              row[radius],
+                              density,
+                              row[type] == 2.0});
+        if (!extra.empty()) all.extra.push_back(row[f.column(extra)]);
+    }
+    return all;
 }
 
 }  // namespace engines

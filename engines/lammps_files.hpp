@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -32,5 +33,15 @@ struct LammpsFrame {
 
 // Throws std::runtime_error naming `name` and the frame where the text is no whole dump.
 std::vector<LammpsFrame> read_lammps_dump(const std::string& text, const std::string& name);
+
+// The grains of `final.dump` in `folder`, one frame of `id type x y z vx vy vz omegax omegay omegaz radius` and what else: type 2 is fixed. Shape of
+// `extra`: [grains], the column of that name, where it is asked for. Throws std::runtime_error.
+struct FinalGrains {
+    std::int64_t step;
+    std::vector<dem_min::Grain> grains;
+    std::vector<double> extra;
+};
+FinalGrains read_final_grains(const std::filesystem::path& folder, double density,
+                              const std::string& extra = "");
 
 }  // namespace engines

@@ -184,7 +184,7 @@ fix hold glued freeze
         fmt::arg("dt", s.time_step), fmt::arg("g", s.gravity));
 }
 
-// What the loops below ask: kinetic energy over m g d, top of the heap, of the grains that rise, of all.
+// What the loops below ask: kinetic energy over m g d, top of the heap, of all.
 std::string questions(const PileSetup& s) {
     const double mass = s.density * (std::numbers::pi / 6.0) * (s.d * s.d * s.d);
     return fmt::format(R"(
@@ -192,13 +192,12 @@ compute kinetic loose ke
 compute radius all property/atom radius
 compute touching all contact/atom
 variable restless equal c_kinetic/((count(loose)+(count(loose)==0))*{unit:.17g})
-# Heap: grains that touch another and are slow. Astray: grains that rise.
+# Heap: grains that touch another and are slow.
 variable heap atom (c_touching>0)*((vx*vx+vy*vy+vz*vz)<{slow:.17g})*(z+c_radius+{two_d:.17g})
-variable astray atom (vz>0)*(z+c_radius+{room:.17g})
 variable any atom z+c_radius+{room:.17g}
-compute top loose reduce max v_heap v_astray v_any
+compute top loose reduce max v_heap v_any
 thermo 2000
-thermo_style custom step atoms c_kinetic c_top[1] c_top[2] c_top[3]
+thermo_style custom step atoms c_kinetic c_top[1] c_top[2]
 # What falls below the base or flies off is gone.
 thermo_modify lost ignore flush yes
 )",
@@ -218,7 +217,7 @@ variable due file feed-steps.txt
 label feed
 run ${{due}} upto post no
 variable heap_up equal c_top[1]-{mouth:.17g}
-variable any_up equal c_top[3]-{mouth:.17g}
+variable any_up equal c_top[2]-{mouth:.17g}
 if "${{any_up}} < ${{up}}" then "variable up string ${{any_up}}"
 if "${{heap_up}} > ${{up}}" then "variable up string ${{heap_up}}"
 if "${{up}} < 0" then "variable up string 0"
@@ -270,9 +269,9 @@ write_data final.data nocoeff
 
 bool read_progress(const std::string& line, LammpsProgress& p) {
     long long step = 0, grains = 0;
-    double kinetic = 0.0, heap = 0.0, astray = 0.0, any = 0.0;
-    if (std::sscanf(line.c_str(), " %lld %lld %lf %lf %lf %lf", &step, &grains, &kinetic, &heap,
-                    &astray, &any) != 6)
+    double kinetic = 0.0, heap = 0.0, any = 0.0;
+    if (std::sscanf(line.c_str(), " %lld %lld %lf %lf %lf", &step, &grains, &kinetic, &heap,
+                    &any) != 5)
         return false;
     p = {step, grains, kinetic};
     return true;
@@ -342,31 +341,21 @@ std::vector<std::string> lammps_pile_command(const std::string& lmp, int ranks) 
 
 rigs::PileRecord read_lammps_pile(const PileSetup& setup, const std::filesystem::path& folder,
                                   const std::string& output) {
-    const std::string file = (folder / "final.dump").string();
-    const auto frames = read_lammps_dump(file_text(file), file);
-    if (frames.size() != 1) throw std::runtime_error(file + ": not one frame");
-    const LammpsFrame& f = frames.front();
-    const std::size_t x = f.column("x"), v = f.column("vx"), w = f.column("omegax");
-    const std::size_t radius = f.column("radius"), type = f.column("type");
-    const std::size_t touching = f.column("c_touching");
+    const FinalGrains last = read_final_grains(folder, density_of(setup), "c_touching");
     rigs::PileRun run = rigs::begin_pile(setup, 1);
     dem_min::Simulation& s = run.simulation;
     double contacts = 0.0;
     std::int64_t loose = 0;
-    for (const std::vector<double>& row : f.rows) {
-        if (row[type] != 1.0) continue;
-        dem_min::insert(s, {{row[x], row[x + 1], row[x + 2]},
-                            {row[v], row[v + 1], row[v + 2]},
-                            {row[w], row[w + 1], row[w + 2]},
-                            row[radius],
-                            density_of(setup)});
-        contacts += row[touching];
+    for (std::size_t k = 0; k < last.grains.size(); ++k) {
+        if (last.grains[k].fixed) continue;
+        dem_min::insert(s, last.grains[k]);
+        contacts += last.extra[k];
         ++loose;
     }
     run.fed = setup.feed_time.size();
     run.finished = true;
     run.at_rest = output.find("similitude: at rest at step") != std::string::npos;
-    s.steps = f.step;
+    s.steps = last.step;
     s.past.grains_lost = static_cast<std::int64_t>(run.fed) - loose;
     LammpsProgress now, before;
     std::istringstream lines(output);

@@ -41,21 +41,7 @@ std::string slump_data(const Slump& s) { return lammps_data(s.grains, s.box, 2);
 std::vector<dem_min::Grain> run_slump(const std::filesystem::path& lmp, const Slump& s,
                                       const std::filesystem::path& folder, double limit_s) {
     run_lammps(lmp, folder, slump_deck(s), slump_data(s), limit_s);
-    const std::string file = (folder / "final.dump").string();
-    const auto frames = read_lammps_dump(file_text(file), file);
-    if (frames.size() != 1) throw std::runtime_error(file + ": not one frame");
-    const LammpsFrame& f = frames.front();
-    const std::size_t x = f.column("x"), v = f.column("vx"), w = f.column("omegax");
-    const std::size_t radius = f.column("radius"), type = f.column("type");
-    std::vector<dem_min::Grain> grains;
-    for (const std::vector<double>& row : f.rows)
-        grains.push_back({{row[x], row[x + 1], row[x + 2]},
-                          {row[v], row[v + 1], row[v + 2]},
-                          {row[w], row[w + 1], row[w + 2]},
-                          row[radius],
-                          s.grains.front().density,
-                          row[type] == 2.0});
-    return grains;
+    return read_final_grains(folder, s.grains.front().density).grains;
 }
 
 }  // namespace engines

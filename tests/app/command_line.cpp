@@ -36,6 +36,15 @@ std::string contents(const std::string& path) {
     return {std::istreambuf_iterator<char>(file), {}};
 }
 
+std::string output_of(const std::string& command) {
+    const Folder folder;
+    const int code = std::system((command + " > " + folder / "out" + " 2>&1").c_str());
+    const std::string said = contents(folder / "out");
+    INFO(command << "\n" << said);
+    REQUIRE(code == 0);
+    return said;
+}
+
 namespace {
 
 void redirect(const std::string& path, int descriptor) {

@@ -47,6 +47,9 @@ Outcome similitude(const std::vector<std::string>& arguments, int interrupt_afte
 
 std::string contents(const std::string& path);
 
+// What a shell's command prints, errors too. Fails the test where it does not exit with 0.
+std::string output_of(const std::string& command);
+
 // A case of 300 adhesive grains on a base of ten diameters, with `old` replaced by `by` where it
 // stands.
 std::string tiny_case(const std::string& old = "", const std::string& by = "");

@@ -36,15 +36,6 @@ ITEM: ATOMS id type x y z vx vy vz omegax omegay omegaz radius density
 9 3 -0.5 0.125 0.15 0 0 0 0 0 0 0.142857142857142857 4
 )";
 
-std::string output_of(const std::string& command) {
-    const Folder folder;
-    const int code = std::system((command + " > " + folder / "out" + " 2>&1").c_str());
-    const std::string said = contents(folder / "out");
-    INFO(command << "\n" << said);
-    REQUIRE(code == 0);
-    return said;
-}
-
 void need(const std::string& check, const std::string& package) {
     if (std::system((check + " > /dev/null 2>&1").c_str()) != 0)
         FAIL("this test opens files with a program that is missing: install the Debian package "

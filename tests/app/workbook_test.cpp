@@ -12,15 +12,6 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-std::string output_of(const std::string& command) {
-    const Folder folder;
-    const int code = std::system((command + " > " + folder / "out" + " 2>&1").c_str());
-    const std::string said = contents(folder / "out");
-    INFO(command << "\n" << said);
-    REQUIRE(code == 0);
-    return said;
-}
-
 using Row = std::vector<std::string>;
 
 std::vector<Row> rows_of(const std::string& text, char mark) {

@@ -69,7 +69,7 @@ TEST_CASE("lammps pile: the traps of the release are kept out of the deck",
     CHECK(deck.find("pair/local") == std::string::npos);            // omits stretched contacts
     for (const auto& [name, text] : engines::lammps_pile(s).files)  // crashes with several ranks
         CHECK(text.find("Velocities") == std::string::npos);
-    // A sort at the start of each of the feed's runs loses springs: heaps 18 deg too low.
+    // A sort at the start of each of the feed's runs loses springs of contacts.
     CHECK(deck.find("\natom_modify sort 0 0.0\n") < deck.find("create_box"));
     CHECK(deck.find("newton off") < deck.find("create_box"));
     CHECK(deck.find("thermo_modify lost ignore") > deck.find("thermo_style"));
