@@ -309,7 +309,12 @@ std::vector<Candidate> with_missing_force(const Problem& p, const Whitener& w,
 double separation(const Problem& p, const Whitener& w, const Candidate& truth,
                   const Candidate& other) {
     const VectorXd shown = predicted(p, truth.h, truth.fit.theta);
-    return fit_to(p, w, other.h, shown, other.fit.theta, false, 12).white.norm();
+    Hypothesised h = other.h;
+    for (Unknown& u : h.unknowns)
+        for (std::size_t k = 0; k < truth.h.unknowns.size(); ++k)
+            if (u.prior == Prior::gaussian && u.name == truth.h.unknowns[k].name)
+                u.mean = truth.fit.theta[static_cast<Index>(k)];
+    return std::sqrt(fit_to(p, w, h, shown, other.fit.theta, false, 12).objective());
 }
 
 }  // namespace diagnose

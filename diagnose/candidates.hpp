@@ -46,8 +46,8 @@ void refit(const Problem&, const Whitener&, Candidate&, const Candidate* start);
 std::vector<Candidate> with_missing_force(const Problem&, const Whitener&, const Candidate& start,
                                           std::vector<Term>& terms);
 
-// sqrt(chi squared) that `other`, refitted, leaves where `truth` is what is recorded, without noise: how many sigma they are
-// apart. The problem may hold further experiments than those of the fits.
+// sqrt(chi squared and penalty) that `other`, refitted, leaves where `truth` is what is recorded and what is stated, without
+// noise: how many sigma they are apart. The problem may hold further experiments than those of the fits.
 double separation(const Problem&, const Whitener&, const Candidate& truth, const Candidate& other);
 
 // Drop in chi squared below which one effect shows nothing that another leaves: 3 sigma.

@@ -69,16 +69,15 @@ class Decision {
                serves_all({j_.problem, *j_.whiten, j_.base, *g.best, own_p_[&g], std::nan("")});
     }
 
-    // Of most weight among those that pass their own test of mismatch; the best few are asked.
+    // Of most weight, if it passes its own test of mismatch: where it does not, what stands behind it is no explanation but
+    // the next best.
     void find_winner() {
-        int asked = 0;
         for (Group& g : groups_) {
             if (is_unknown(g)) unknown_ = &g;
-            if (winner_ || g.effects.empty() || is_unknown(g) || asked >= 6) continue;
-            ++asked;
-            if (explains(g)) winner_ = &g;
+            if (!winner_ && !g.effects.empty() && !is_unknown(g)) winner_ = &g;
         }
-        if (winner_ && unknown_ && unknown_->log_weight > winner_->log_weight) winner_ = nullptr;
+        const bool beaten = unknown_ && winner_ && unknown_->log_weight > winner_->log_weight;
+        if (winner_ && (beaten || !explains(*winner_))) winner_ = nullptr;
     }
 
     // Hypotheses that explain, too, and that these recordings and those held out cannot tell from the winner.

@@ -2,6 +2,7 @@
 #include "diagnose/judge.hpp"
 
 #include "diagnose/gates.hpp"
+#include "diagnose/mismatch.hpp"
 
 #include <fmt/format.h>
 
@@ -137,8 +138,8 @@ void Judge::refit_all() {
                 [&](std::size_t k) { refit(problem, *whiten, pairs[k], nullptr); });
 }
 
-Mismatch Judge::test(const Candidate& c, const std::vector<Shape>& list, int n) const {
-    return test_of_mismatch(problem, *whiten, c.h, c.fit, list, innovations, settings.seed, n);
+double Judge::test(const Candidate& c, const std::vector<Shape>& list, int n) const {
+    return p_of_mismatch(problem, *whiten, c.h, c.fit, list, innovations, settings.seed, n);
 }
 
 std::vector<Shape> Judge::shapes_about(const Candidate& c) const {
@@ -163,8 +164,8 @@ double Judge::p_of_best_gain() const {
 
 double Judge::own_p(const Candidate& c) const {
     const std::vector<Shape> list = shapes_about(c);
-    const double p = test(c, list, few_draws).p_value;
-    return p > 10.0 * own_level ? p : test(c, list, many_draws).p_value;
+    const double p = test(c, list, few_draws);
+    return p > 10.0 * own_level ? p : test(c, list, many_draws);
 }
 
 // Whether the effect of most evidence leaves nothing to a second one: it passes its own test of mismatch and all gates, and no

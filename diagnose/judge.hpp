@@ -61,7 +61,7 @@ struct Judge {
     set_outliers_aside();  // single values far from what even the best fit says; the verdict warns
     void refit_all();
     std::vector<Shape> shapes_about(const Candidate&) const;
-    Mismatch test(const Candidate&, const std::vector<Shape>&, int draws) const;
+    double test(const Candidate&, const std::vector<Shape>&, int draws) const;
     // Of its own test of mismatch; more draws where a few leave it near own_level.
     double own_p(const Candidate&) const;
     bool one_is_enough() const;

