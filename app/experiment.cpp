@@ -9,6 +9,7 @@
 #include "app/version.hpp"
 #include "cases/csv.hpp"
 #include "cases/messages.hpp"
+#include "engines/lammps_one_grain.hpp"
 #include "engines/lammps_pile.hpp"
 #include "engines/lammps_run.hpp"
 #include "engines/process.hpp"
@@ -124,6 +125,17 @@ ExperimentRun pile_run(const PileTask& task) {
     return run;
 }
 
+reports::Json engine_json(const std::string& release, int ranks,
+                          const std::vector<std::string>& command,
+                          const std::filesystem::path& deck) {
+    return {{"name", "LAMMPS"},
+            {"version", release},
+            {"ranks", ranks},
+            {"command", engines::command_line(command)},
+            {"deck", (deck.filename() / "deck.in").string()},
+            {"log", (deck.filename() / "log.lammps").string()}};
+}
+
 // The deck stays in ID-lammps/, whatever comes of its run.
 ExperimentRun lammps_run(const PileTask& task, int ranks) {
     const std::filesystem::path lmp = engines::lammps_program("--engine");
@@ -151,12 +163,7 @@ ExperimentRun lammps_run(const PileTask& task, int ranks) {
         run.section = reports::pile_section(task.id, *lammps.record);
         run.result = reports::to_json(*lammps.record);
     }
-    run.result["engine"] = {{"name", "LAMMPS"},
-                            {"version", lammps.release},
-                            {"ranks", ranks},
-                            {"command", engines::command_line(lammps.command)},
-                            {"deck", (deck.filename() / "deck.in").string()},
-                            {"log", (deck.filename() / "log.lammps").string()}};
+    run.result["engine"] = engine_json(lammps.release, ranks, lammps.command, deck);
     return run;
 }
 
@@ -183,6 +190,35 @@ std::function<ExperimentRun()> prepared_pile(const Case& c, const Experiment& e,
                                    "needs the program mpirun", "apt-get install openmpi-bin"));
     engines::lammps_pile(task.setup);  // says what it cannot take before anything runs
     return [task, ranks = place.engine.ranks] { return lammps_run(task, ranks); };
+}
+
+// The deck stays in ID-lammps/.
+ExperimentRun lammps_curves_run(const Case& c, const Experiment& e,
+                                const std::filesystem::path& folder) {
+    const std::filesystem::path deck = folder / (e.id + "-lammps");
+    const rigs::Ordinates at = rigs::ordinates_of(e);
+    const engines::LammpsCurvesRun lammps =
+        engines::run_lammps_one_grain(engines::lammps_program("--engine"), c, e, at, deck);
+    ExperimentRun run{e.id, e.rig, lammps.seconds, std::nullopt, {{"rows", at.at.size()}}};
+    if (!lammps.interrupted) {
+        const std::vector<cases::Column> columns = curve_columns(e, lammps.curves, at);
+        cases::write_csv((folder / (e.id + ".csv")).string(), columns);
+        run.section = reports::curves_section(e.id, columns, e.recording ? &*e.recording : nullptr);
+    }
+    run.result["engine"] = engine_json(lammps.release, 1, lammps.command, deck);
+    return run;
+}
+
+std::function<ExperimentRun()> prepared_in_lammps(const Case& c, const Experiment& e,
+                                                  const CommonOptions& o, const RunPlace& place) {
+    refuse_for_lammps(o, place);
+    if (place.engine.ranks > 1)
+        throw InvalidInput(mistake("--ranks", std::to_string(place.engine.ranks),
+                                   "must be 1 for a single grain", "leave --ranks out"));
+    engines::lammps_program("--engine");
+    // Says what it cannot take before anything runs.
+    engines::lammps_one_grain(c, e, rigs::ordinates_of(e));
+    return [&c, &e, folder = place.folder] { return lammps_curves_run(c, e, folder); };
 }
 
 ExperimentRun drop_run(const Experiment& e, const rigs::DropSetup& setup,
@@ -256,11 +292,7 @@ bool can_simulate(const Experiment& e) {
 std::function<ExperimentRun()> prepared(const Case& c, const Experiment& e, const CommonOptions& o,
                                         const RunPlace& place) {
     if (e.rig == "pile") return prepared_pile(c, e, o, place);
-    if (place.engine.lammps)
-        throw InvalidInput(mistake("experiment " + cases::in_quotes(e.id),
-                                   "rig " + cases::in_quotes(e.rig),
-                                   "must be of the rig pile for --engine lammps",
-                                   "choose a pile by --experiment, or leave --engine out"));
+    if (place.engine.lammps) return prepared_in_lammps(c, e, o, place);
     if (e.rig == "drop")
         return [&e, setup = rigs::drop_setup(c, e), folder = place.folder] {
             return drop_run(e, setup, folder);

@@ -5,7 +5,9 @@
 #include "app/experiment.hpp"
 #include "cases/messages.hpp"
 #include "cases/read_case.hpp"
+#include "engines/lammps_one_grain.hpp"
 #include "engines/lammps_pile.hpp"
+#include "rigs/forward.hpp"
 #include "scaling/errors.hpp"
 
 #include <CLI/CLI.hpp>
@@ -29,7 +31,7 @@ struct ExportOptions {
 
 constexpr const char* examples = R"(Examples:
   similitude export my-powder --engine lammps --out runs/deck --seed 3
-      deck.in and its data files for every pile of the case, each in runs/deck/ID-lammps
+      deck.in and its data files for every pile, drop and impact, each in runs/deck/ID-lammps
   similitude export my-powder --engine lammps --out runs/deck --submit slurm --ranks 32
       and job.sh beside each deck: sbatch job.sh)";
 
@@ -48,6 +50,10 @@ set -eu
     return script + "exec srun lmp -in deck.in -log log.lammps\n";
 }
 
+bool has_deck(const cases::Experiment& e) {
+    return e.rig == "pile" || e.rig == "drop" || e.rig == "impact";
+}
+
 int run(const ExportOptions& o) {
     const cases::Case c = cases::read_case(o.path);
     if (o.engine != "lammps")
@@ -60,16 +66,17 @@ int run(const ExportOptions& o) {
     std::vector<std::string> ids;
     std::vector<std::pair<std::string, engines::LammpsDeck>> decks;
     for (const cases::Experiment& e : c.experiments) {
-        if (e.rig != "pile") continue;
+        if (!has_deck(e)) continue;
         ids.push_back(e.id);
-        if (o.experiment.empty() || e.id == o.experiment)
-            decks.emplace_back(e.id,
-                               engines::lammps_pile(chosen_setup(c, e, o.seed, true, choice)));
+        if (!o.experiment.empty() && e.id != o.experiment) continue;
+        decks.emplace_back(
+            e.id, e.rig == "pile" ? engines::lammps_pile(chosen_setup(c, e, o.seed, true, choice))
+                                  : engines::lammps_one_grain(c, e, rigs::ordinates_of(e)));
     }
     if (decks.empty())
         throw InvalidInput(
             mistake("--experiment", o.experiment.empty() ? "none" : cases::in_quotes(o.experiment),
-                    "must be a pile of the case",
+                    "must be a pile, drop or impact of the case",
                     ids.empty() ? "this case has none" : cases::suggestion(o.experiment, ids)));
     for (const auto& [id, deck] : decks) {
         const std::filesystem::path folder = std::filesystem::path(o.out) / (id + "-lammps");
@@ -85,10 +92,12 @@ int run(const ExportOptions& o) {
 
 Verb export_verb(CLI::App& app, const std::string&) {
     const auto options = std::make_shared<ExportOptions>();
-    CLI::App* verb = app.add_subcommand("export", "a pile as a deck that another engine runs");
+    CLI::App* verb =
+        app.add_subcommand("export", "an experiment as a deck that another engine runs");
     verb->add_option("CASE", options->path, "case.json or its folder")->required();
     verb->add_option("--engine", options->engine, "lammps")->type_name("ENGINE")->required();
-    verb->add_option("--experiment", options->experiment, "only this one; all piles otherwise")
+    verb->add_option("--experiment", options->experiment,
+                     "only this one; all piles, drops and impacts otherwise")
         ->type_name("ID");
     verb->add_option("--out", options->out, "folder for the decks")
         ->type_name("DIR")

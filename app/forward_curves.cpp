@@ -9,7 +9,11 @@ namespace app {
 
 std::vector<cases::Column> forward_curves(const cases::Experiment& e, const rigs::World& world,
                                           const rigs::Ordinates& at) {
-    const rigs::Curves curves = rigs::forward_model(e)->predict(world, at);
+    return curve_columns(e, rigs::forward_model(e)->predict(world, at), at);
+}
+
+std::vector<cases::Column> curve_columns(const cases::Experiment& e, const rigs::Curves& curves,
+                                         const rigs::Ordinates& at) {
     const cases::RigRule& rig = cases::rig_rule(e.rig);
     const auto unit = [&](const std::string& channel) {
         return cases::find_channel(rig, channel)->units.front();

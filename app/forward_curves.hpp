@@ -12,5 +12,8 @@ namespace app {
 // there are two. Of a rig with a forward model.
 std::vector<cases::Column> forward_curves(const cases::Experiment&, const rigs::World&,
                                           const rigs::Ordinates&);
+// Channels that have been worked out, as such columns.
+std::vector<cases::Column> curve_columns(const cases::Experiment&, const rigs::Curves&,
+                                         const rigs::Ordinates&);
 
 }  // namespace app

@@ -135,8 +135,8 @@ Verdict diagnose(const cases::Case& stated, const Settings& settings,
     j.report(0.45, "is there a mismatch");
     // The test by draws knows effects at first order only; what a whole fit gains is the rest. The chance of a false alarm is
     // shared out between them, 4 to 1.
-    v.p_value = std::min({1.0, j.test(j.base, j.shapes_about(j.base), many_draws) / 0.8,
-                          j.p_of_best_gain() / 0.2});
+    v.p_value = std::min(
+        {1.0, j.test(j.base, j.shapes_about(j.base), many_draws) / 0.8, j.p_of_best_gain() / 0.2});
     if (v.p_value <= settings.alpha) {
         j.report(0.5, "forces that no law explains");
         j.forces = with_missing_force(j.problem, *j.whiten, j.base, j.force_terms);

@@ -52,9 +52,7 @@ void refuse_what_lammps_has_not(const PileSetup& s, const std::string& option) {
     if (!s.materials.pairs.empty()) refuse(option, "is told of one material only", ours);
     if (c.funnel || !c.meshes.empty()) refuse(option, "is told of no funnel and no mesh", ours);
     if (s.sleep_speed > 0.0) refuse(option, "does not sleep", "leave --sleep out");
-    if (s.grains.restitution < most_damping)
-        refuse(option, "cannot damp below a restitution of 0.12 (damping tsuji ends there)",
-               "take a higher restitution, or leave the option out");
+    refuse_restitution(s.grains.restitution, option);
 }
 
 double density_of(const PileSetup& s) {
@@ -306,6 +304,12 @@ std::vector<FeedBatch> feed_batches(const PileSetup& s) {
         batches.back().step = due;
     }
     return batches;
+}
+
+void refuse_restitution(double restitution, const std::string& option) {
+    if (restitution < most_damping)
+        refuse(option, "cannot damp below a restitution of 0.12 (damping tsuji ends there)",
+               "take a higher restitution, or leave the option out");
 }
 
 LammpsDeck lammps_pile(const PileSetup& s, const std::string& option) {

@@ -37,6 +37,9 @@ std::vector<FeedBatch> feed_batches(const rigs::PileSetup&);
 // number goes through the polynomial anew in every run of a deck.
 std::string granular_arguments(const rigs::ContactParameters&);
 
+// Throws scaling::InvalidInput, which names `option`, below 0.12: there the polynomial of `tsuji` ends.
+void refuse_restitution(double restitution, const std::string& option);
+
 // Throws scaling::InvalidInput, which names `option`, for what LAMMPS has not or we have not told it yet: contact rules of our own,
 // rigid friction, any base but glued grains, several materials, a funnel or mesh, sleep, a restitution below 0.12.
 LammpsDeck lammps_pile(const rigs::PileSetup&, const std::string& option = "--engine");

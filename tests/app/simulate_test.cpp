@@ -161,6 +161,29 @@ TEST_CASE("simulate: Ctrl-C ends LAMMPS too", "[app][simulate][lammps]") {
     CHECK(std::filesystem::exists(f / "out/pile-lammps/log.lammps"));
 }
 
+TEST_CASE("simulate: LAMMPS drops a bead and throws it, in the channels of our own rigs",
+          "[app][simulate][lammps]") {
+    if (!std::filesystem::exists("/usr/bin/lmp")) return;
+    const Folder f;
+    const std::string path = f.write("case.json", R"({"format": "similitude-case/1", "title": "t",
+  "grain": {"diameter": "2 mm", "density": "2500 kg/m^3", "youngs_modulus": "5 MPa", "poisson_ratio": 0.3},
+  "plate": {"youngs_modulus": "8 MPa", "poisson_ratio": 0.25}, "surroundings": {"gravity": "9.81 m/s^2"},
+  "model": {"physics": ["gravity", "hertz_mindlin"], "parameters": {"restitution": {"value": 0.7}}},
+  "experiments": [{"id": "drop", "rig": "drop", "conditions": {"height": "50 mm"}},
+                  {"id": "shots", "rig": "impact", "conditions": {"speed": "1 m/s"}}]})");
+    const Outcome o = similitude({"simulate", path, "--out", f / "out", "--engine", "lammps"});
+    INFO(o.err);
+    REQUIRE(o.code == 0);
+    const Json runs = manifest(f, "out").at("runs");
+    CHECK(runs.at(0).at("result").at("engine").at("name") == "LAMMPS");
+    CHECK(contents(f / "out/drop.csv").starts_with("t [s],x [m],z [m]\n0,0,0.05"));
+    CHECK(contents(f / "out/shots.csv").starts_with("angle [rad],normal_restitution"));
+    const Outcome many =
+        similitude({"simulate", path, "--out", f / "out", "--engine", "lammps", "--ranks", "2"});
+    CHECK(many.code == 2);
+    CHECK(many.err.find("must be 1 for a single grain") != std::string::npos);
+}
+
 TEST_CASE("export: a deck and a script for SLURM, the deck that simulate runs", "[app][export]") {
     const Folder f;
     const std::string path = f.write("case.json", tiny_case("\"grains\": 300", "\"grains\": 30"));

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "engines/lammps_one_grain.hpp"
+
+#include "cases/read_case.hpp"
+#include "engines/lammps_run.hpp"
+#include "engines/process.hpp"
+#include "scaling/errors.hpp"
+#include "tests/engines/scratch.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <string>
+
+using Catch::Matchers::Contains;
+
+namespace {
+
+// A soft bead, 2 mm and 2500 kg/m^3 on its own kind: a contact of 0.2 ms, so that a run is short.
+cases::Case bead(const std::string& physics, double friction) {
+    const Scratch folder("lammps-one-grain-case");
+    engines::write_text(folder.path / "case.json",
+                        R"({"format": "similitude-case/1", "title": "t",
+  "grain": {"diameter": "2 mm", "density": "2500 kg/m^3", "youngs_modulus": "5 MPa", "poisson_ratio": 0.3},
+  "plate": {"youngs_modulus": "8 MPa", "poisson_ratio": 0.25}, "surroundings": {"gravity": "9.81 m/s^2"},
+  "model": {"physics": ["gravity")" +
+                            physics + R"(], "parameters": {"restitution": {"value": 0.7},
+      "work_of_adhesion": {"value": "0.02 J/m^2"}, "sliding_friction": {"value": )" +
+                            std::to_string(friction) + R"(}}},
+  "experiments": [
+    {"id": "drop", "rig": "drop", "conditions": {"height": "50 mm", "horizontal_speed": "0.2 m/s", "release_time": "10 ms"}},
+    {"id": "shots", "rig": "impact", "conditions": {"speed": "1.5 m/s"}},
+    {"id": "run", "rig": "incline", "conditions": {"angle": "10 deg"}}]})");
+    return cases::read_case((folder.path / "case.json").string());
+}
+
+}  // namespace
+
+TEST_CASE("lammps one grain: what LAMMPS is not told of is refused by name",
+          "[engines][lammps][one-grain]") {
+    const auto message = [](const cases::Case& c, std::size_t which) -> std::string {
+        try {
+            engines::lammps_one_grain(c, c.experiments[which], {{0.1}, {}});
+        } catch (const scaling::InvalidInput& e) {
+            return e.what();
+        }
+        return "";
+    };
+    CHECK(message(bead(R"(, "hertz_mindlin")", 0.3), 0).empty());
+    CHECK_THAT(message(bead(R"(, "hertz_mindlin")", 0.3), 2),
+               Contains("no deck for the rig incline"));
+    CHECK_THAT(message(bead(R"(, "hertz_mindlin", "adhesion")", 0.3), 0),
+               Contains("adhesion on a single grain"));
+    CHECK_THAT(message(bead(R"(, "hertz_coulomb")", 0.3), 0), Contains("hertz_coulomb"));
+}
+
+TEST_CASE("lammps one grain: the deck has one run, the wall's dashpot changes with a second",
+          "[engines][lammps][one-grain]") {
+    const cases::Case c = bead(R"(, "hertz_mindlin")", 0.3);
+    for (const std::size_t which : {0, 1}) {
+        const std::string deck =
+            engines::lammps_one_grain(c, c.experiments[which], {{0.1, 0.2}, {}}).deck;
+        const std::size_t run = deck.find("\nrun ");
+        REQUIRE(run != std::string::npos);
+        CHECK(deck.find("\nrun ", run + 1) == std::string::npos);
+    }
+}
+
+// The fall by hand: z = h - g t^2/2, first touch after sqrt(2 h/g) = 101 ms, then e sqrt(2 g h) upwards. The dashpot of LAMMPS meets e
+// to 1e-3 (restitution_to_tell), which the rebound carries 1e-3 v t = 0.1 mm far in 0.1 s.
+TEST_CASE("lammps one grain: a bead falls, bounces and slides on as by hand",
+          "[engines][lammps][one-grain]") {
+    const auto lmp = engines::find_program("lmp");
+    if (!lmp) {
+        WARN("left out: no program lmp");
+        return;
+    }
+    const cases::Case c = bead(R"(, "hertz_mindlin")", 0.0);
+    const Scratch folder("lammps-drop");
+    const double g = 9.81, h = 0.05, release = 0.01, first = std::sqrt(2.0 * h / g);
+    const std::vector<double> t{
+        0.0, 0.005, 0.06, 0.11, release + first + 0.05, release + first + 0.1};
+    const auto run = engines::run_lammps_one_grain(*lmp, c, c.experiments[0], {t, {}}, folder.path);
+    const std::vector<double>&z = run.curves.at("z"), &x = run.curves.at("x");
+    CHECK(z[0] == h);
+    CHECK(z[1] == h);
+    CHECK(x[1] == 0.0);
+    // Verlet's parabola is exact; what is left is half a step times g times a step.
+    CHECK(z[2] == Approx(h - 0.5 * g * 0.05 * 0.05).margin(1e-9));
+    CHECK(z[3] == Approx(h - 0.5 * g * 0.1 * 0.1).margin(1e-9));
+    for (const std::size_t k : {1, 2, 3, 4, 5})
+        CHECK(x[k] == Approx(0.2 * std::max(0.0, t[k] - release)).margin(1e-9));
+    for (const std::size_t k : {4, 5}) {
+        const double since = t[k] - release - first, up = 0.7 * std::sqrt(2.0 * g * h);
+        // The contact itself takes 0.3 ms, in which weight does nothing and the bead would have moved by 0.3 mm.
+        CHECK(z[k] == Approx(up * since - 0.5 * g * since * since).margin(0.5e-3));
+    }
+}
+
+// Walton 1993: above atan(7/2 mu (1 + e)/...) the grain slides all through and loses mu (1 + e) v_n of its way along the plate.
+TEST_CASE("lammps one grain: impacts keep e, and what slides loses Coulomb's share",
+          "[engines][lammps][one-grain]") {
+    const auto lmp = engines::find_program("lmp");
+    if (!lmp) {
+        WARN("left out: no program lmp");
+        return;
+    }
+    const double mu = 0.1, e = 0.7;
+    const cases::Case c = bead(R"(, "hertz_mindlin")", mu);
+    const Scratch folder("lammps-impact");
+    const std::vector<double> angle{0.0, 0.9, 1.2};
+    const auto run =
+        engines::run_lammps_one_grain(*lmp, c, c.experiments[1], {angle, {}}, folder.path);
+    const auto& kept = run.curves.at("tangential_restitution");
+    CHECK(std::isnan(kept[0]));
+    for (std::size_t k = 0; k < angle.size(); ++k) {
+        INFO(angle[k]);
+        CHECK(run.curves.at("normal_restitution")[k] == Approx(e).margin(1e-3));
+        if (k == 0) continue;
+        const double loss = mu * (1.0 + e) / std::tan(angle[k]);
+        CHECK(kept[k] == Approx(1.0 - loss).margin(2e-3));
+        // 5/2 of the same impulse goes into the spin.
+        CHECK(run.curves.at("rebound_spin")[k] ==
+              Approx(2.5 * loss * 1.5 * std::sin(angle[k]) / 1e-3).epsilon(0.01));
+    }
+}
