@@ -117,7 +117,7 @@ Fit fit_from(const Skeleton& sk, const std::vector<const Term*>& terms,
     // A few steps from every start, the rest from the best place.
     const int tries = starts.size() > 1 ? 3 : iterations;
     Fit best;
-    double least = std::numeric_limits<double>::infinity();
+    best.chi2 = std::numeric_limits<double>::infinity();  // no start gives a number
     for (const std::vector<double>& start : starts) {
         World w = begin.world;
         std::vector<Setup> setups = begin.setups;
@@ -133,19 +133,18 @@ Fit fit_from(const Skeleton& sk, const std::vector<const Term*>& terms,
             w = near.world, setups = near.setups;
         }
         Fit f = fit(w, setups, unknowns, sk.noise, wanted, tries, 1e-3);
-        if (f.cost() < least) {
-            least = f.cost();
-            best = std::move(f);
-        }
+        if (f.cost() < best.cost()) best = std::move(f);
     }
-    if (starts.size() == 1 || !std::isfinite(least)) return best;
+    if (starts.size() == 1 || !std::isfinite(best.cost())) return best;
     return fit(best.world, best.setups, unknowns, sk.noise, wanted, iterations, 1e-3);
 }
 
 // Places ever nearer to the best value of the term's first unknown, where the base lines are refitted.
 Fit closed_in(const Skeleton& sk, const Term& t, const std::vector<std::size_t>& list,
               const Eigen::VectorXd& wanted, Fit best) {
-    if (!has_steps(sk) || t.unknowns.empty() || t.unknowns.front().in_world == nullptr) return best;
+    if (!has_steps(sk) || t.unknowns.empty() || t.unknowns.front().in_world == nullptr ||
+        !std::isfinite(best.cost()))
+        return best;
     const Unknown& u = t.unknowns.front();
     const std::vector<Unknown> others = base_unknowns(sk, list);
     for (double share = 0.05; share > 5e-4; share *= 0.5)
@@ -226,9 +225,11 @@ Separation pair_separation(const Skeleton& drawn, const World& truth,
                     all[singles.front().second].channel};
     for (std::size_t a = 0; a < singles.size() && static_cast<int>(a) < first; ++a) {
         const auto& [alone, which] = singles[a];
+        if (!std::isfinite(alone.cost())) break;
         const Term& one = all[which];
-        const auto own = static_cast<Eigen::Index>(one.unknowns.size());
-        const Eigen::VectorXd values = alone.theta.tail(own);
+        std::vector<double> values;
+        for (const Unknown& u : one.unknowns)
+            values.push_back(value_of(u, alone.world, alone.setups));
         for (const Term& other : all) {
             const auto acts = [&](const Term& t) {
                 return std::find(right.begin(), right.end(), t.effect) != right.end();
@@ -237,7 +238,7 @@ Separation pair_separation(const Skeleton& drawn, const World& truth,
             // The other beside the one at its best.
             std::vector<std::vector<double>> starts;
             for (const std::vector<double>& more : best_of_grid(sk, other, wanted, alone, 3)) {
-                starts.emplace_back(values.begin(), values.end());
+                starts.push_back(values);
                 starts.back().insert(starts.back().end(), more.begin(), more.end());
             }
             if (starts.empty()) continue;

@@ -133,6 +133,24 @@ TEST_CASE("prove: adhesion that lets go at a force is not told from a tail that 
     }
 }
 
+// A model with nothing free and nothing uncertain: what a wrong term leaves behind is all there is.
+TEST_CASE("prove: how far other two are is told where nothing is free, too", "[prove]") {
+    Skeleton sk;
+    sk.rig = Rig::pull_off;
+    sk.physics = {"hertz_mindlin"};
+    Setup s = bead(Rig::pull_off, {Channel::force});
+    s.diameter = 80e-6, s.preload = 50e-6, s.noise = {1e-7};
+    s.at = evenly(20e-6, -0.1e-6, 100);
+    s.retract.assign(100, true);
+    sk.stated = sk.truth = {s};
+    World truth = sk.world;
+    truth.work_of_adhesion = 0.05, truth.charge = 5e-12;
+    const Separation near = pair_separation(sk, truth, {"adhesion", "electrostatic"});
+    CHECK(std::isfinite(near.d));
+    CHECK_FALSE(near.effect.empty());
+    CHECK(mismatch(sk, truth).lambda > 25.0);
+}
+
 // Bounces out of step, pull-offs between others: a fit that takes a neighbour for the truth makes a key tell of a mismatch that
 // nobody can see. At the truth only what the priors take of it is left.
 TEST_CASE("prove: the user's model is found again wherever in its ranges it is", "[prove]") {
