@@ -31,7 +31,7 @@ struct ExportOptions {
 
 constexpr const char* examples = R"(Examples:
   similitude export my-powder --engine lammps --out runs/deck --seed 3
-      deck.in and its data files for every pile, drop and impact, each in runs/deck/ID-lammps
+      deck.in and its data files for every pile, drop, incline and impact, each in runs/deck/ID-lammps
   similitude export my-powder --engine lammps --out runs/deck --submit slurm --ranks 32
       and job.sh beside each deck: sbatch job.sh)";
 
@@ -51,7 +51,7 @@ set -eu
 }
 
 bool has_deck(const cases::Experiment& e) {
-    return e.rig == "pile" || e.rig == "drop" || e.rig == "impact";
+    return e.rig == "pile" || e.rig == "drop" || e.rig == "incline" || e.rig == "impact";
 }
 
 int run(const ExportOptions& o) {
@@ -76,7 +76,7 @@ int run(const ExportOptions& o) {
     if (decks.empty())
         throw InvalidInput(
             mistake("--experiment", o.experiment.empty() ? "none" : cases::in_quotes(o.experiment),
-                    "must be a pile, drop or impact of the case",
+                    "must be a pile, drop, incline or impact of the case",
                     ids.empty() ? "this case has none" : cases::suggestion(o.experiment, ids)));
     for (const auto& [id, deck] : decks) {
         const std::filesystem::path folder = std::filesystem::path(o.out) / (id + "-lammps");
@@ -97,7 +97,7 @@ Verb export_verb(CLI::App& app, const std::string&) {
     verb->add_option("CASE", options->path, "case.json or its folder")->required();
     verb->add_option("--engine", options->engine, "lammps")->type_name("ENGINE")->required();
     verb->add_option("--experiment", options->experiment,
-                     "only this one; all piles, drops and impacts otherwise")
+                     "only this one; all that have a deck otherwise")
         ->type_name("ID");
     verb->add_option("--out", options->out, "folder for the decks")
         ->type_name("DIR")

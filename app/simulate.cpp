@@ -210,7 +210,7 @@ Verb simulate_verb(CLI::App& app, const std::string& command) {
         "leave out regions of a heap that are at rest until something comes: faster, and "
         "not quite the same heap");
     verb->add_option("--engine", options->engine,
-                     "who runs them: dem_min, or lammps (the program lmp; piles, drops, impacts)")
+                     "who runs them: dem_min, or lammps (the program lmp; all rigs but pull_off)")
         ->type_name("ENGINE")
         ->capture_default_str();
     verb->add_option("--ranks", options->ranks, "MPI ranks of LAMMPS; 1 by default")

@@ -37,6 +37,14 @@ struct Throw {
     double condition(const char* name, double otherwise) const {
         return stated.value(world, std::string("conditions.") + name, otherwise);
     }
+    bool over_time() const { return experiment.rig != "impact"; }
+    double angle() const {  // of the plane, rad
+        return experiment.rig == "incline" ? condition("angle", 0.0) : 0.0;
+    }
+    // How deep the grain of an incline lies in its plane, m.
+    double depth_at_rest() const {
+        return grain.resting_overlap(grain.mass * grain.gravity * std::cos(angle()));
+    }
 };
 
 Throw thrown(const cases::Case& c, const cases::Experiment& e, const std::string& option) {
@@ -44,7 +52,8 @@ Throw thrown(const cases::Case& c, const cases::Experiment& e, const std::string
         throw scaling::InvalidInput(scaling::mistake(option, "lammps", what, remedy));
     };
     const char* ours = "leave the option out: dem_min runs it";
-    if (e.rig != "drop" && e.rig != "impact") refuse("has no deck for the rig " + e.rig, ours);
+    if (e.rig != "drop" && e.rig != "incline" && e.rig != "impact")
+        refuse("has no deck for the rig " + e.rig, ours);
     for (const std::string& effect : c.model.physics)
         if (effect != "gravity" && effect != "buoyancy" && effect != "hertz_mindlin")
             refuse(fmt::format("is told of no {} on a single grain", effect), ours);
@@ -72,15 +81,22 @@ double contact_time(const OneGrain& g, double speed) {
     return 2.94 * depth / speed;
 }
 
+// Of a grain that lies on the plane and rings, s: stiffness 2 E* a.
+double period_at_rest(const Throw& t) {
+    const double a = std::sqrt(t.grain.r_star * t.depth_at_rest());
+    return 2.0 * std::numbers::pi * std::sqrt(t.grain.mass / (2.0 * t.grain.e_star * a));
+}
+
 double time_step(const Throw& t) {
     if (t.world.numerics && t.world.numerics->time_step)
         return t.world.numerics->time_step->value();
     const double speed = fastest(t);
-    if (!(speed > 0.0))
+    const bool lies = t.experiment.rig == "incline";
+    if (lies ? !(t.depth_at_rest() > 0.0) : !(speed > 0.0))
         throw scaling::InvalidInput(
-            scaling::mistake("experiment " + t.experiment.id, fmt::format("{} m/s", speed),
-                             "must meet the plate", "give it a height or a speed"));
-    return contact_time(t.grain, speed) / steps_in_a_contact;
+            scaling::mistake("experiment " + t.experiment.id, "a grain that does not touch",
+                             "must meet the plate", "give it a height, a speed, or gravity"));
+    return (lies ? period_at_rest(t) : contact_time(t.grain, speed)) / steps_in_a_contact;
 }
 
 // Step before or at each row; the grain is held until its release.
@@ -102,6 +118,12 @@ std::vector<Grain> grains_of(const Throw& t, const rigs::Ordinates& at) {
                  {0.0, spin, 0.0},
                  g.radius,
                  density}};
+    if (t.experiment.rig == "incline")
+        return {{{0.0, 0.0, g.radius - t.depth_at_rest()},
+                 {speed, 0.0, 0.0},
+                 {0.0, spin, 0.0},
+                 g.radius,
+                 density}};
     std::vector<Grain> grains;
     const double gap = 2.0 * time_step(t) * speed;
     for (std::size_t k = 0; k < at.at.size(); ++k)
@@ -115,7 +137,7 @@ std::vector<Grain> grains_of(const Throw& t, const rigs::Ordinates& at) {
 
 // Until the slowest approach has come back: Hertz' contact lasts longer by e^(-1/5) at most, with the plate's dashpot by some.
 std::int64_t last_step(const Throw& t, const rigs::Ordinates& at) {
-    if (t.experiment.rig == "drop") {
+    if (t.over_time()) {
         const std::vector<std::int64_t> steps = steps_of(t, at);
         return steps.empty() ? 0 : *std::max_element(steps.begin(), steps.end());
     }
@@ -133,8 +155,11 @@ Box box_of(const std::vector<Grain>& grains, const Throw& t, std::int64_t steps)
     double far = 20.0 * radius, high = 20.0 * radius, wide = 20.0 * radius;
     const double time = static_cast<double>(steps) * time_step(t);
     for (const Grain& g : grains) {
-        // A spin may become a way, at 2/7 of its speed at most.
-        far = std::max(far, 2.0 * (std::abs(g.velocity.x) + radius * std::abs(g.spin.y)) * time);
+        // A spin may become a way, at 2/7 of its speed at most, and a slope another.
+        far = std::max(far, 2.0 *
+                                (std::abs(g.velocity.x) + radius * std::abs(g.spin.y) +
+                                 t.grain.gravity * std::abs(std::sin(t.angle())) * time) *
+                                time);
         wide = std::max(wide, g.position.y + 20.0 * radius);
         high = std::max(high, 2.0 * g.position.z + 20.0 * radius);
     }
@@ -176,7 +201,8 @@ fix motion all nve/sphere
 )",
         t.experiment.rig, t.grain.radius, rules, time_step(t), rules);
     if (t.grain.gravity > 0.0)
-        deck += fmt::format("fix gravity all gravity {:.17g} vector 0 0 -1\n", t.grain.gravity);
+        deck += fmt::format("fix gravity all gravity {:.17g} vector {:.17g} 0 {:.17g}\n",
+                            t.grain.gravity, std::sin(t.angle()), -std::cos(t.angle()));
     deck += "dump rows all custom 1 rows.dump id x y z vx vy vz omegax omegay omegaz\n";
     if (t.experiment.rig == "drop")
         deck +=
@@ -198,15 +224,14 @@ std::string rows_text(std::vector<std::int64_t> steps) {
 }
 
 // Where a grain is at an instant less than a step after the one that was written: LAMMPS' own step would carry it there.
-rigs::Curves drop_curves(const Throw& t, const rigs::Ordinates& at,
-                         const std::vector<LammpsFrame>& frames) {
+rigs::Curves rows_over_time(const Throw& t, const rigs::Ordinates& at,
+                            const std::vector<LammpsFrame>& frames) {
     const std::vector<std::int64_t> steps = steps_of(t, at);
     const double step = time_step(t), release = t.condition("release_time", 0.0);
-    const Grain start = grains_of(t, at).front();
+    const bool drop = t.experiment.rig == "drop";
     rigs::Curves c;
     for (std::size_t k = 0; k < steps.size(); ++k) {
-        double x = start.position.x, z = start.position.z;
-        Vec3 v = start.velocity;
+        Grain g = grains_of(t, at).front();
         if (steps[k] > 0) {
             const auto found =
                 std::find_if(frames.begin(), frames.end(),
@@ -215,13 +240,17 @@ rigs::Curves drop_curves(const Throw& t, const rigs::Ordinates& at,
                 throw std::runtime_error(
                     fmt::format("rows.dump: no grain at step {}: LAMMPS lost it", steps[k]));
             const std::vector<double>& row = found->rows.front();
-            x = row[found->column("x")], z = row[found->column("z")];
-            v = {row[found->column("vx")], 0.0, row[found->column("vz")]};
+            g.position = {row[found->column("x")], 0.0, row[found->column("z")]};
+            g.velocity = {row[found->column("vx")], 0.0, row[found->column("vz")]};
+            g.spin.y = row[found->column("omegay")];
         }
         const double rest =
             std::max(0.0, at.at[k] - release) - static_cast<double>(steps[k]) * step;
-        c["x"].push_back(x + v.x * rest);
-        c["z"].push_back(z + v.z * rest - t.grain.radius);
+        c[drop ? "x" : "s"].push_back(g.position.x + g.velocity.x * rest);
+        if (drop)
+            c["z"].push_back(g.position.z + g.velocity.z * rest - t.grain.radius);
+        else
+            c["spin"].push_back(g.spin.y);
     }
     return c;
 }
@@ -255,7 +284,7 @@ LammpsDeck lammps_one_grain(const cases::Case& c, const cases::Experiment& e,
     const std::vector<Grain> grains = grains_of(t, at);
     LammpsDeck result{deck_of(t, steps), {}};
     result.files.emplace_back("start.data", lammps_data(grains, box_of(grains, t, steps), 1));
-    if (e.rig == "drop") result.files.emplace_back("rows.txt", rows_text(steps_of(t, at)));
+    if (t.over_time()) result.files.emplace_back("rows.txt", rows_text(steps_of(t, at)));
     return result;
 }
 
@@ -284,8 +313,8 @@ LammpsCurvesRun run_lammps_one_grain(const std::filesystem::path& lmp, const cas
     const std::vector<LammpsFrame> frames = std::filesystem::exists(dump)
                                                 ? read_lammps_dump(file_text(dump), dump)
                                                 : std::vector<LammpsFrame>{};
-    if (e.rig == "drop") {
-        result.curves = drop_curves(t, at, frames);
+    if (t.over_time()) {
+        result.curves = rows_over_time(t, at, frames);
     } else {
         if (frames.empty()) throw std::runtime_error(dump + ": LAMMPS wrote no grain");
         result.curves = impact_curves(t, at, frames.back());

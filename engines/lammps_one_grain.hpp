@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rigs `drop` and `impact` in LAMMPS: one grain, or one for each angle, over the wall z = 0 (docs/export.md). One run of a
+// The rigs `drop`, `incline` and `impact` in LAMMPS: one grain, or one for each angle, over the wall z = 0 (docs/export.md). One run of a
 // deck, so that the wall damps as it is told to. Written for the release of 29 September 2021.
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace engines {
 
-// deck.in, start.data and, for a drop, the steps at which the grain is written, rows.txt. Throws scaling::InvalidInput, which names
+// deck.in, start.data and, for a drop or an incline, the steps at which the grain is written, rows.txt. Throws scaling::InvalidInput, which names
 // `option`, for another rig, for physics beyond gravity, buoyancy and hertz_mindlin, and for a restitution below 0.12.
 LammpsDeck lammps_one_grain(const cases::Case&, const cases::Experiment&, const rigs::Ordinates&,
                             const std::string& option = "--engine");

@@ -10,6 +10,7 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 using Catch::Matchers::Contains;
@@ -30,7 +31,8 @@ cases::Case bead(const std::string& physics, double friction) {
   "experiments": [
     {"id": "drop", "rig": "drop", "conditions": {"height": "50 mm", "horizontal_speed": "0.2 m/s", "release_time": "10 ms"}},
     {"id": "shots", "rig": "impact", "conditions": {"speed": "1.5 m/s"}},
-    {"id": "run", "rig": "incline", "conditions": {"angle": "10 deg"}}]})");
+    {"id": "run", "rig": "incline", "conditions": {"angle": "10 deg"}},
+    {"id": "curve", "rig": "pull_off", "conditions": {"counterpart": "plate", "preload": "1 mN"}}]})");
     return cases::read_case((folder.path / "case.json").string());
 }
 
@@ -47,8 +49,8 @@ TEST_CASE("lammps one grain: what LAMMPS is not told of is refused by name",
         return "";
     };
     CHECK(message(bead(R"(, "hertz_mindlin")", 0.3), 0).empty());
-    CHECK_THAT(message(bead(R"(, "hertz_mindlin")", 0.3), 2),
-               Contains("no deck for the rig incline"));
+    CHECK_THAT(message(bead(R"(, "hertz_mindlin")", 0.3), 3),
+               Contains("no deck for the rig pull_off"));
     CHECK_THAT(message(bead(R"(, "hertz_mindlin", "adhesion")", 0.3), 0),
                Contains("adhesion on a single grain"));
     CHECK_THAT(message(bead(R"(, "hertz_coulomb")", 0.3), 0), Contains("hertz_coulomb"));
@@ -122,5 +124,31 @@ TEST_CASE("lammps one grain: impacts keep e, and what slides loses Coulomb's sha
         // 5/2 of the same impulse goes into the spin.
         CHECK(run.curves.at("rebound_spin")[k] ==
               Approx(2.5 * loss * 1.5 * std::sin(angle[k]) / 1e-3).epsilon(0.01));
+    }
+}
+
+// From rest a sphere rolls down at 5/7 g sin(a) where it grips (mu > 2/7 tan(a) = 0.05), else it slides at g (sin(a) - mu cos(a)) and
+// spins up at 5/2 mu g cos(a)/R. It lies 0.8 um deep, 0.08 % of R, and the spring of friction takes a stretch before it grips.
+TEST_CASE("lammps one grain: on a slope it rolls or slides as by hand",
+          "[engines][lammps][one-grain]") {
+    const auto lmp = engines::find_program("lmp");
+    if (!lmp) {
+        WARN("left out: no program lmp");
+        return;
+    }
+    const double g = 9.81, slope = 10.0 * std::numbers::pi / 180.0, t = 0.3;
+    for (const double mu : {0.02, 0.3}) {
+        const cases::Case c = bead(R"(, "hertz_mindlin")", mu);
+        const Scratch folder("lammps-incline");
+        const auto run =
+            engines::run_lammps_one_grain(*lmp, c, c.experiments[2], {{0.0, t}, {}}, folder.path);
+        const bool grips = mu > 2.0 / 7.0 * std::tan(slope);
+        const double a =
+            grips ? 5.0 / 7.0 * g * std::sin(slope) : g * (std::sin(slope) - mu * std::cos(slope));
+        const double spin_up = grips ? a / 1e-3 : 2.5 * mu * g * std::cos(slope) / 1e-3;
+        INFO(mu);
+        CHECK(run.curves.at("s")[0] == 0.0);
+        CHECK(run.curves.at("s")[1] == Approx(0.5 * a * t * t).epsilon(0.005));
+        CHECK(run.curves.at("spin")[1] == Approx(spin_up * t).epsilon(0.005));
     }
 }
