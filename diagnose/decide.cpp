@@ -135,15 +135,19 @@ class Decision {
         for (Effect& e : v_.effects) e.named = false;
         if (rivals_.empty()) rivals_ = {&runner_up()};
         std::vector<const Candidate*> alike{&c};
-        v_.alike = {winner_->effects};
+        std::vector<const Group*> told{winner_};
         for (const Group* g : rivals_) {
             if (alike.size() == most_alike) break;
-            alike.push_back(g->best), v_.alike.push_back(g->effects);
+            alike.push_back(g->best), told.push_back(g);
             for (const Term* t : g->best->h.terms)
                 if (std::none_of(v_.effects.begin(), v_.effects.end(),
                                  [&](const Effect& e) { return e.name == t->effect; }))
                     v_.effects.push_back(effect_of(*g, *t));
         }
+        std::stable_sort(told.begin(), told.end(), [](const Group* a, const Group* b) {
+            return a->probability > b->probability;
+        });
+        for (const Group* g : told) v_.alike.push_back(g->effects);
         j_.report(0.9, "the next experiment");
         v_.next_experiment = next_experiment(j_.problem, j_.noise, alike, j_.settings.threads);
     }

@@ -208,8 +208,8 @@ std::optional<NextExperiment> next_experiment(const Problem& p, const Noise& noi
                           .noise = outcome[best].noise,
                           .between = names,
                           .separation_sigma = outcome[best].sigma,
-                          .why = fmt::format("Of {} designs it sets {} furthest apart.",
-                                             list.size(), fmt::join(plain, " and "))};
+                          .why = fmt::format("Of {} designs it sets these furthest apart: {}.",
+                                             list.size(), fmt::join(plain, ", "))};
 }
 
 std::unique_ptr<Planned> with_held_out(const Problem& p, const Noise& noise) {

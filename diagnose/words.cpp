@@ -63,6 +63,7 @@ std::string joined(const std::vector<std::string>& effects) {
 }  // namespace
 
 std::string plain_name(const std::string& effect) {
+    if (effect == "none") return "nothing left out";
     if (effect == "unknown") return "something that is not in the catalogue";
     std::string text = effect;
     std::replace(text.begin(), text.end(), '_', ' ');
@@ -152,8 +153,8 @@ std::vector<std::string> summary_of(const Verdict& v) {
             "of their range; noise alone makes {:.2g} %.",
             v.held_out->nrmse_base, v.held_out->nrmse_extended, v.held_out->noise_floor));
     if (v.next_experiment)
-        list.push_back(fmt::format("To decide, record a {}: {}", v.next_experiment->rig,
-                                   v.next_experiment->why));
+        list.push_back(fmt::format("To decide, record a run of the rig {}. {}",
+                                   v.next_experiment->rig, v.next_experiment->why));
     return list;
 }
 
