@@ -45,17 +45,17 @@ std::vector<std::vector<double>> starts_of(const std::vector<const Term*>& terms
 // A grain that lets go one row later moves a force curve by a step, which no slope tells of.
 bool has_steps(const Skeleton& sk) { return sk.stated.front().rig == Rig::pull_off; }
 
-// Values of a term's unknowns over their ranges: 24 for one unknown, some 70 for two, 1440 for a vibration; ten times as
-// many of the first where a force curve jumps, since what jumps a row too early looks like nothing that fits.
+// Values of a term's unknowns over their ranges: 24 for one unknown, 72 for two, 640 for a vibration; 240 where a force curve
+// jumps, since what jumps a row too early looks like nothing that fits.
 std::vector<std::vector<double>> grid_of(const Term& t, bool steps) {
     std::vector<std::vector<double>> grid{{}};
     for (std::size_t k = 0; k < t.unknowns.size(); ++k) {
         const Unknown& u = t.unknowns[k];
-        const int points =
-            (steps && k == 0 ? 10 : 1) * (t.unknowns.size() == 1   ? 24
-                                          : t.unknowns.size() == 2 ? (k == 0 ? 12 : 6)
-                                          : u.name == "frequency"  ? 40
-                                                                   : 6);
+        const bool first = k == 0;
+        const int points = t.unknowns.size() == 1   ? (steps ? 240 : 24)
+                           : t.unknowns.size() == 2 ? (first ? (steps ? 40 : 12) : 6)
+                           : u.name == "frequency"  ? 40
+                                                    : 4;
         std::vector<std::vector<double>> finer;
         for (const std::vector<double>& begun : grid)
             for (int n = 0; n < points; ++n) {
@@ -158,26 +158,30 @@ Fit closed_in(const Skeleton& sk, const Term& t, const std::vector<std::size_t>&
     return best;
 }
 
-// What is left by a wrong term at its best, searched from the user's model refitted and from what is true but for the secret: a
-// wrong term that does the same finds the rest as it is.
+// Fits to begin in: what is true but for the secret, since a wrong term that does the same finds the rest as it is, and the user's
+// model refitted.
+struct Begins {
+    Fit truth, base;
+};
+
+// What is left by a wrong term at its best.
 Fit searched(const Skeleton& sk, const Term& t, const std::vector<std::size_t>& list,
-             const Eigen::VectorXd& wanted, const std::vector<Fit>& begins) {
-    Fit best;
-    for (const Fit& begin : begins) {
-        std::vector<std::vector<double>> starts = starts_of({&t}, 3);
-        for (std::vector<double>& more :
-             best_of_grid(sk, t, wanted, begin, t.unknowns.size() == 3 ? 12 : 3))
-            starts.push_back(std::move(more));
-        Fit f = closed_in(sk, t, list, wanted, fit_from(sk, {&t}, list, wanted, begin, starts, 12));
-        if (&begin == &begins.front() || f.cost() < best.cost()) best = std::move(f);
-    }
-    return best;
+             const Eigen::VectorXd& wanted, const Begins& begins) {
+    const std::vector<std::vector<double>> plain = starts_of({&t}, 3);
+    std::vector<std::vector<double>> many = plain;
+    for (std::vector<double>& more :
+         best_of_grid(sk, t, wanted, begins.truth, t.unknowns.size() == 3 ? 10 : 3))
+        many.push_back(std::move(more));
+    Fit best = fit_from(sk, {&t}, list, wanted, begins.truth, many, 12);
+    Fit other = fit_from(sk, {&t}, list, wanted, begins.base, plain, 12);
+    if (other.cost() < best.cost()) best = std::move(other);
+    return closed_in(sk, t, list, wanted, std::move(best));
 }
 
-std::vector<Fit> begins_of(const Skeleton& sk, const std::vector<std::size_t>& list,
-                           const Eigen::VectorXd& wanted) {
-    return {base_fit(sk, list, wanted),
-            fit(sk.world, chosen(sk.truth, list), base_unknowns(sk, list), sk.noise, wanted, 0)};
+Begins begins_of(const Skeleton& sk, const std::vector<std::size_t>& list,
+                 const Eigen::VectorXd& wanted) {
+    return {fit(sk.world, chosen(sk.truth, list), base_unknowns(sk, list), sk.noise, wanted, 0),
+            base_fit(sk, list, wanted)};
 }
 
 }  // namespace
@@ -196,12 +200,13 @@ Separation separation(const Skeleton& drawn, const World& truth,
     const Eigen::VectorXd wanted = predict(truth, chosen(sk.truth, list));
     Separation best{std::numeric_limits<double>::infinity(), "", ""};
     const bool thorough = enough == 0.0;
-    const std::vector<Fit> begins =
-        thorough ? begins_of(sk, list, wanted) : std::vector<Fit>{base_fit(sk, list, wanted)};
+    const Begins begins =
+        thorough ? begins_of(sk, list, wanted) : Begins{{}, base_fit(sk, list, wanted)};
     for (const Term& t : terms(sk.stated, sk.physics)) {
         if (std::find(right.begin(), right.end(), t.effect) != right.end()) continue;
-        Fit f = thorough ? searched(sk, t, list, wanted, begins)
-                         : fit_from(sk, {&t}, list, wanted, begins[0], starts_of({&t}, 6), 12);
+        const Fit f = thorough
+                          ? searched(sk, t, list, wanted, begins)
+                          : fit_from(sk, {&t}, list, wanted, begins.base, starts_of({&t}, 6), 12);
         const double d = std::sqrt(f.cost());
         if (d < best.d) best = {d, t.effect, t.channel};
         if (best.d < enough) break;
@@ -215,7 +220,7 @@ Separation pair_separation(const Skeleton& drawn, const World& truth,
     const std::vector<std::size_t> list = with_role(sk, false);
     const Eigen::VectorXd wanted = predict(truth, chosen(sk.truth, list));
     const std::vector<Term> all = terms(sk.stated, sk.physics);
-    const std::vector<Fit> begins = begins_of(sk, list, wanted);
+    const Begins begins = begins_of(sk, list, wanted);
     std::vector<std::pair<Fit, std::size_t>> singles;
     for (std::size_t k = 0; k < all.size(); ++k)
         singles.emplace_back(searched(sk, all[k], list, wanted, begins), k);
