@@ -83,14 +83,6 @@ double headline(const Skeleton& sk, const World& w) {
     return sum / n;
 }
 
-// Least squares of one term alone, on the recordings with role fit.
-double lambda_beside(const Skeleton& sk, const World& truth, const Term& other) {
-    const std::vector<std::size_t> list = with_role(sk, false);
-    const Eigen::VectorXd wanted = predict(truth, chosen(sk.truth, list));
-    const Fit f = fit_with(sk, {&other}, list, wanted, base_fit(sk, list, wanted));
-    return f.cost();
-}
-
 bool conceal_two(Draft& d, const Plan& plan, Dice& dice) {
     if (!conceal_one(d, plan.effect, plan.target, dice)) return false;
     const World first = d.world;
@@ -130,9 +122,11 @@ bool conceal_two(Draft& d, const Plan& plan, Dice& dice) {
         dial->turn(d.world, *strength);
     }
     d.terms.push_back(*t);
-    d.key.lambda_given_other = {lambda_beside(d.sk, d.world, d.terms[1]),
-                                lambda_beside(d.sk, d.world, d.terms[0])};
-    return std::min(d.key.lambda_given_other[0], d.key.lambda_given_other[1]) >= 25.0;
+    const std::vector<std::size_t> fits = with_role(d.sk, false);
+    d.key.lambda_given_other = {left_by(d.sk, d.world, d.terms[1], fits),
+                                left_by(d.sk, d.world, d.terms[0], fits)};
+    if (std::min(d.key.lambda_given_other[0], d.key.lambda_given_other[1]) < 25.0) return false;
+    return separation(d.sk, d.world, {}, 5.0, fits).d >= 5.0;  // nor is any other one enough
 }
 
 bool conceal_outside(Draft& d, const Plan& plan, Dice& dice) {

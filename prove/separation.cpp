@@ -214,6 +214,13 @@ Separation separation(const Skeleton& drawn, const World& truth,
     return best;
 }
 
+double left_by(const Skeleton& drawn, const World& truth, const Term& t,
+               const std::vector<std::size_t>& list) {
+    const Skeleton sk = stated_truly(drawn);
+    const Eigen::VectorXd wanted = predict(truth, chosen(sk.truth, list));
+    return searched(sk, t, list, wanted, begins_of(sk, list, wanted)).cost();
+}
+
 Separation pair_separation(const Skeleton& drawn, const World& truth,
                            const std::vector<std::string>& right, int first) {
     const Skeleton sk = stated_truly(drawn);

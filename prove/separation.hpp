@@ -26,6 +26,9 @@ struct Separation {
 // places of a grid, beside the user's model refitted and beside what is true but for the secret. `list`: experiments, empty: all.
 Separation separation(const Skeleton&, const World& truth, const std::vector<std::string>& right,
                       double enough = 0.0, std::vector<std::size_t> list = {});
+// D squared of this one term, wrong or not, by these experiments.
+double left_by(const Skeleton&, const World& truth, const Term&,
+               const std::vector<std::size_t>& list);
 // The least over single terms and pairs of terms, of which one is among the best `first` singles, by the experiments with role
 // fit: what a judge may say of the catalogue, it has to see there. `right`: two of these together are no wrong pair.
 Separation pair_separation(const Skeleton&, const World& truth,
