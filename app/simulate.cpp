@@ -39,7 +39,7 @@ struct SimulateOptions {
 
 constexpr const char* examples = R"(Examples:
   similitude simulate my-powder --out runs/seed-3 --seed 3 --report runs/seed-3/pile.html
-      all piles and drops of the case in the folder my-powder
+      all experiments of the case in the folder my-powder
   similitude simulate my-powder --out runs/seed-3 --seed 3 --resume
       go on after an interrupt (Ctrl-C writes a checkpoint)
   similitude simulate my-powder --dump vtp,lammps --dump-every "5 ms"
@@ -59,8 +59,8 @@ std::vector<const Experiment*> chosen(const Case& c, const std::string& id) {
             mistake("--experiment", cases::in_quotes(id), "must be one of the case's experiments",
                     ids.empty() ? "this case has none" : cases::suggestion(id, ids)));
     if (all.empty())
-        throw InvalidInput(mistake(c.path + ": experiments", "no pile and no drop", "must hold one",
-                                   "no other rig can be simulated yet"));
+        throw InvalidInput(mistake(c.path + ": experiments", "none that can be simulated",
+                                   "must hold one", "no other rig can be simulated yet"));
     return all;
 }
 
@@ -188,7 +188,7 @@ Verb simulate_verb(CLI::App& app, const std::string& command) {
         "simulate", "run the experiments of a case: channels, grains, a manifest");
     verb->add_option("CASE", options->path, "case.json or its folder")->required();
     verb->add_option("--experiment", options->experiment,
-                     "only this one; all piles and drops otherwise")
+                     "only this one; all that can be simulated otherwise")
         ->type_name("ID");
     verb->add_option("--out", options->out, "folder for results and checkpoints")
         ->type_name("DIR")
