@@ -69,6 +69,23 @@ LammpsFrame frame_from(Lines& lines, std::size_t index) {
 
 }  // namespace
 
+std::string opening_of_few(double skin, const std::string& rules, double time_step) {
+    return fmt::format(R"(units si
+atom_style sphere
+atom_modify map array
+boundary f f f
+newton off
+comm_modify vel yes
+read_data start.data
+neighbor {:.17g} bin
+neigh_modify delay 0 every 1 check yes
+pair_style granular
+pair_coeff * * {}
+timestep {:.17g}
+)",
+                       skin, rules, time_step);
+}
+
 std::string lammps_data(const std::vector<dem_min::Grain>& grains, const Box& box, int types) {
     std::string text =
         fmt::format("written by similitude\n\n{} atoms\n{} atom types\n\n", grains.size(), types);

@@ -21,6 +21,10 @@ struct Box {
 // `types` says how many types there are. Ids from 1 in the order given.
 std::string lammps_data(const std::vector<dem_min::Grain>&, const Box&, int types);
 
+// How a deck of a few spheres begins: start.data, one set of `rules` (what follows `pair_coeff * *`), margin of the list in m, step in s.
+// LAMMPS' defaults must not throw away a deck's grains (newton on, communication of velocities) nor thin its list.
+std::string opening_of_few(double skin, const std::string& rules, double time_step);
+
 // One frame of a dump; rows in the order of ids where the deck says `dump_modify sort id`.
 struct LammpsFrame {
     std::int64_t step;

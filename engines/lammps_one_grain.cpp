@@ -183,23 +183,13 @@ rigs::ContactParameters contact_of(const OneGrain& g) {
 std::string deck_of(const Throw& t, std::int64_t steps) {
     const std::string rules = granular_arguments(contact_of(t.grain));
     std::string deck = fmt::format(
-        R"(# The rig {} of similitude in LAMMPS, release of 29 Sep 2021: lmp -in deck.in. SI units; the plate is z = 0.
-# One run: the dashpot of a wall changes with every further one.
-units si
-atom_style sphere
-boundary f f f
-newton off
-comm_modify vel yes
-read_data start.data
-neighbor {:.17g} bin
-neigh_modify delay 0 every 1 check yes
-pair_style granular
-pair_coeff * * {}
-timestep {:.17g}
-fix plate all wall/gran granular {} zplane 0.0 NULL
-fix motion all nve/sphere
-)",
-        t.experiment.rig, t.grain.radius, rules, time_step(t), rules);
+        "# The rig {} of similitude in LAMMPS, release of 29 Sep 2021: lmp -in deck.in. SI units; "
+        "the plate is "
+        "z = 0.\n# One run: the dashpot of a wall changes with every further one.\n",
+        t.experiment.rig);
+    deck += opening_of_few(t.grain.radius, rules, time_step(t));
+    deck += fmt::format(
+        "fix plate all wall/gran granular {} zplane 0.0 NULL\nfix motion all nve/sphere\n", rules);
     if (t.grain.gravity > 0.0)
         deck += fmt::format("fix gravity all gravity {:.17g} vector {:.17g} 0 {:.17g}\n",
                             t.grain.gravity, std::sin(t.angle()), -std::cos(t.angle()));
@@ -229,9 +219,10 @@ rigs::Curves rows_over_time(const Throw& t, const rigs::Ordinates& at,
     const std::vector<std::int64_t> steps = steps_of(t, at);
     const double step = time_step(t), release = t.condition("release_time", 0.0);
     const bool drop = t.experiment.rig == "drop";
+    const Grain start = grains_of(t, at).front();
     rigs::Curves c;
     for (std::size_t k = 0; k < steps.size(); ++k) {
-        Grain g = grains_of(t, at).front();
+        Grain g = start;
         if (steps[k] > 0) {
             const auto found =
                 std::find_if(frames.begin(), frames.end(),

@@ -13,26 +13,13 @@ namespace {
 
 constexpr double time_limit = 120.0;  // s: a few thousand steps of two grains take less than one
 
-// Everything before the motion: LAMMPS' defaults must not throw away a deck's grains (newton on,
-// communication of velocities) nor thin its list.
+// Everything before the motion.
 std::string opening(const TwoGrains& t) {
-    return fmt::format(R"(units si
-atom_style sphere
-atom_modify map array
-boundary f f f
-newton off
-comm_modify vel yes
-read_data start.data
-neighbor {:.17g} bin
-neigh_modify delay 0 every 1 check yes
-pair_style granular
-pair_coeff * * {}
-timestep {:.17g}
-thermo 1000000
+    return opening_of_few(t.skin, granular_arguments(t.contact), t.time_step) +
+           R"(thermo 1000000
 dump states all custom 1 states.dump id x y z vx vy vz omegax omegay omegaz fx fy fz tqx tqy tqz
 dump_modify states sort id format float %.17g
-)",
-                       t.skin, granular_arguments(t.contact), t.time_step);
+)";
 }
 
 std::string motion(const dem_min::Grain& g, int id, double sign) {
