@@ -16,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 
 namespace app {
@@ -74,16 +75,6 @@ void turn_up(rigs::Frame& f, const std::string& up) {
     for (contact::Vec3& v : f.velocity) v = turned(v);
 }
 
-std::string angle_rows(const rigs::MeasuredHeap& heap) {
-    std::vector<std::vector<std::string>> rows{
-        {"angle of repose by", "degrees", "spread", "sectors or views"}};
-    for (const auto& [estimator, angle] : heap.angles)
-        rows.push_back({rigs::to_string(estimator), angle ? reports::degrees(angle->angle) : "none",
-                        angle ? reports::degrees(angle->spread) : "",
-                        angle ? fmt::format("{}", angle->samples) : ""});
-    return reports::columns(rows, {false, true, true, true});
-}
-
 std::string text_of(const MeasureOptions& o, const ChosenFrame& chosen, const rigs::Measured& m) {
     const engines::GrainFrame& g = chosen.grains;
     std::string text = fmt::format(
@@ -101,17 +92,13 @@ std::string text_of(const MeasureOptions& o, const ChosenFrame& chosen, const ri
     if (!m.heap) return text + "  no angles: state --base-diameter, where the heap stands\n";
     if (!g.has_velocity)
         text += "  the file has no velocities: whether the heap is at rest is not known\n";
-    std::string failed;
-    for (const rigs::Criterion& c : m.heap->formed.criteria)
-        if (!c.pass)
-            failed += fmt::format("{}{} is {}, must be {}", failed.empty() ? "" : "; ",
-                                  reports::words(c.name), reports::number(c.value), c.rule);
-    text += m.heap->formed.formed ? "  a heap formed: every criterion is met\n"
-                                  : "  no heap formed: " + failed + "\n";
+    text += m.heap->formed.formed
+                ? "  a heap formed: every criterion is met\n"
+                : "  no heap formed: " + reports::failed_criteria(m.heap->formed) + "\n";
     text += fmt::format("  packing fraction {}\n", m.heap->packing
                                                        ? reports::number(m.heap->packing->value)
                                                        : "not to be had (too small a heap)");
-    return text + angle_rows(*m.heap);
+    return text + reports::columns(reports::angle_table(m.heap->angles), {false, true, true, true});
 }
 
 Json json_of(const MeasureOptions& o, const ChosenFrame& chosen, const rigs::MeasureSettings& s,
@@ -139,6 +126,26 @@ Json json_of(const MeasureOptions& o, const ChosenFrame& chosen, const rigs::Mea
     return json;
 }
 
+reports::Page page_of(const MeasureOptions& o, const ChosenFrame& chosen, const rigs::Measured& m,
+                      const std::string& command) {
+    const reports::RunSection heap =
+        reports::heap_section(fmt::format("frame {}", chosen.number), m);
+    reports::Page page{.title = std::filesystem::path(o.input.path).filename().string(),
+                       .source = "grains that another program left in a file"};
+    page.verdict = heap.verdict;
+    page.runs = {heap};
+    page.runs_heading = "The heap in the file";
+    page.limits = {
+        "One heap of one seed: its scatter from heap to heap is not known. The spread is that "
+        "over sectors or views.",
+        "Contacts are told by geometry: a neck that adhesion holds over a gap is not seen."};
+    if (!chosen.grains.has_velocity)
+        page.limits.push_back(
+            "The file has no velocities: whether the heap is at rest is not known.");
+    page.provenance = provenance(command, "");
+    return page;
+}
+
 int run(const MeasureOptions& o, const std::string& command) {
     rigs::MeasureSettings settings = settings_of(o);
     ChosenFrame chosen = read_frame(o.input, "--format");
@@ -147,7 +154,7 @@ int run(const MeasureOptions& o, const std::string& command) {
     const rigs::Measured m = rigs::measure(chosen.grains.frame, settings);
     print(o.common, text_of(o, chosen, m));
     write_results(o.common, json_of(o, chosen, settings, m, command),
-                  [] { return reports::Page{}; });
+                  [&] { return page_of(o, chosen, m, command); });
     if (!o.profile.empty() && m.heap)
         cases::write_csv(o.profile, {{"r", "m", m.heap->profile.r},
                                      {"z", "m", m.heap->profile.z},
@@ -193,6 +200,8 @@ Verb measure_verb(CLI::App& app, const std::string& command) {
         ->type_name("FILE.csv");
     verb->add_option("--json", o->common.json,
                      "write the result as JSON to FILE, or to standard output with -")
+        ->type_name("FILE");
+    verb->add_option("--report", o->common.report, "write a self-contained HTML page")
         ->type_name("FILE");
     verb->add_flag("--quiet", o->common.quiet, "no table");
     verb->footer(examples);

@@ -60,23 +60,15 @@ std::string description(const std::vector<HeapGroup>& groups) {
     return text;
 }
 
-HeapProfile profile_of(const rigs::PileRecord& record) {
+HeapProfile profile_in_diameters(const rigs::RadialProfile& profile, double d) {
     HeapProfile p;
-    for (const double r : record.profile.r) p.r.push_back(r / record.grain_diameter);
-    for (const double z : record.profile.z) p.z.push_back(z / record.grain_diameter);
+    for (const double r : profile.r) p.r.push_back(r / d);
+    for (const double z : profile.z) p.z.push_back(z / d);
     return p;
 }
 
-TextTable angle_table(const rigs::PileRecord& record) {
-    TextTable table = {{"angle of repose by", "degrees", "spread", "sectors or views"}};
-    for (const auto& [estimator, angle] : record.angles) {
-        if (angle)
-            table.push_back({rigs::to_string(estimator), degrees(angle->angle),
-                             degrees(angle->spread), fmt::format("{}", angle->samples)});
-        else
-            table.push_back({rigs::to_string(estimator), "none", "", ""});
-    }
-    return table;
+std::string packing_words(const std::optional<double>& packing) {
+    return packing ? number(*packing) : "not to be had (too small a heap)";
 }
 
 }  // namespace
@@ -113,30 +105,45 @@ Figure profile_figure(const std::vector<HeapGroup>& groups, const std::string& i
                                  : "Mean over all azimuths. Both axes have one scale."};
 }
 
-RunSection pile_section(const std::string& name, const rigs::PileRecord& record) {
+std::string failed_criteria(const rigs::Formed& formed) {
     std::string failed;
-    for (const rigs::Criterion& c : record.formed.criteria)
+    for (const rigs::Criterion& c : formed.criteria)
         if (!c.pass)
             failed += fmt::format("{}{} is {}, must be {}", failed.empty() ? "" : "; ",
                                   words(c.name), number(c.value), c.rule);
+    return failed;
+}
+
+TextTable angle_table(
+    const std::vector<std::pair<rigs::Estimator, std::optional<rigs::Angle>>>& angles) {
+    TextTable table = {{"angle of repose by", "degrees", "spread", "sectors or views"}};
+    for (const auto& [estimator, angle] : angles)
+        table.push_back({rigs::to_string(estimator), angle ? degrees(angle->angle) : "none",
+                         angle ? degrees(angle->spread) : "",
+                         angle ? fmt::format("{}", angle->samples) : ""});
+    return table;
+}
+
+RunSection pile_section(const std::string& name, const rigs::PileRecord& record) {
+    const std::string failed = failed_criteria(record.formed);
     Verdict verdict{Answer::yes, "A heap formed and came to rest",
                     "every criterion of a heap is met"};
     if (!record.at_rest)
         verdict = {Answer::cannot_tell, "Still moving when the run was given up", failed};
     else if (!record.formed.formed)
         verdict = {Answer::no, "No heap formed", failed};
-    RunSection section{name,
-                       verdict,
-                       {},
-                       profile_figure({{name, {profile_of(record)}}}, "profile-" + name),
-                       angle_table(record),
-                       {}};
+    RunSection section{
+        name,
+        verdict,
+        {},
+        profile_figure({{name, {profile_in_diameters(record.profile, record.grain_diameter)}}},
+                       "profile-" + name),
+        angle_table(record.angles),
+        {}};
     section.notes.push_back(fmt::format(
         "{} grains fed, {} fell off; packing fraction {}, {} contacts per grain; {} steps",
         count(static_cast<double>(record.grains_fed)),
-        count(static_cast<double>(record.grains_lost)),
-        record.packing_fraction ? number(*record.packing_fraction)
-                                : std::string("not to be had (too small a heap)"),
+        count(static_cast<double>(record.grains_lost)), packing_words(record.packing_fraction),
         number(record.coordination), count(static_cast<double>(record.steps))));
     if (record.grains_in_funnel > 0)
         section.notes.push_back(fmt::format(
@@ -151,6 +158,31 @@ RunSection pile_section(const std::string& name, const rigs::PileRecord& record)
             count(static_cast<double>(record.work.asked)),
             number(100.0 * record.work_while_fed.share_slept())));
     section.notes.insert(section.notes.end(), record.notes.begin(), record.notes.end());
+    return section;
+}
+
+RunSection heap_section(const std::string& name, const rigs::Measured& m) {
+    RunSection section{
+        name, {Answer::yes, "Grains and contacts; no angles", "no base is stated"}, {}, {}, {}, {}};
+    section.notes.push_back(
+        fmt::format("{} grains in the heap, {} fixed, {} below the base, {} beyond its rim",
+                    m.loose, m.fixed, m.below_base, m.beyond_rim));
+    section.notes.push_back(
+        fmt::format("diameter {} on average, {} to {}; {} contacts per grain by geometry, largest "
+                    "overlap {} of R*",
+                    quantity(m.mean, "m"), quantity(m.smallest, "m"), quantity(m.largest, "m"),
+                    number(m.contacts.coordination), number(m.contacts.largest_overlap)));
+    if (!m.heap) return section;
+    const std::string failed = failed_criteria(m.heap->formed);
+    section.verdict = m.heap->formed.formed ? Verdict{Answer::yes, "A heap formed",
+                                                      "every criterion of a heap is met"}
+                                            : Verdict{Answer::no, "No heap formed", failed};
+    section.figure =
+        profile_figure({{name, {profile_in_diameters(m.heap->profile, m.mean)}}}, "profile");
+    section.quantities = angle_table(m.heap->angles);
+    section.notes.push_back(
+        "packing fraction " +
+        packing_words(m.heap->packing ? std::optional(m.heap->packing->value) : std::nullopt));
     return section;
 }
 

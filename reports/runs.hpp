@@ -6,10 +6,12 @@
 #include "cases/csv.hpp"
 #include "reports/verdict.hpp"
 #include "rigs/drop.hpp"
+#include "rigs/measure.hpp"
 #include "rigs/pile.hpp"
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace reports {
@@ -50,6 +52,15 @@ Figure profile_figure(const std::vector<HeapGroup>&, const std::string& id);
 // One finished run of the rig `pile`: angle by every estimator, whether a heap formed, packing,
 // coordination.
 RunSection pile_section(const std::string& name, const rigs::PileRecord&);
+
+// A heap that some program left: the same; contacts by geometry. Without a base there is nothing but sizes and contacts.
+RunSection heap_section(const std::string& name, const rigs::Measured&);
+
+// Angle of repose by every estimator, with its spread over sectors or views.
+TextTable angle_table(const std::vector<std::pair<rigs::Estimator, std::optional<rigs::Angle>>>&);
+
+// Criteria of a heap that were not met, with value and rule; empty where all were.
+std::string failed_criteria(const rigs::Formed&);
 
 // One run of the rig `drop`, with the recording's points where there is one.
 RunSection drop_section(const std::string& name, const rigs::DropRecord&,

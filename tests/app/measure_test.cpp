@@ -64,10 +64,14 @@ TEST_CASE("measure: a cone of 30 degrees in EDEM's export, y up, is read as one"
           "[app][measure]") {
     const Folder folder;
     const std::string file = folder.write("export.csv", edem_cone());
-    const Outcome o =
-        similitude({"measure", file, "--length-unit", "mm", "--diameter", "1 mm", "--up", "y",
-                    "--base-diameter", "20 mm", "--base-height", "100 mm", "--json", "-"});
+    const Outcome o = similitude({"measure", file, "--length-unit", "mm", "--diameter", "1 mm",
+                                  "--up", "y", "--base-diameter", "20 mm", "--base-height",
+                                  "100 mm", "--json", "-", "--report", folder / "heap.html"});
     const Json j = o.json();
+    const std::string page = contents(folder / "heap.html");
+    CHECK(page.find("export.csv") != std::string::npos);
+    CHECK(page.find("two_h_over_d") != std::string::npos);
+    CHECK(page.find("whether the heap is at rest is not known") != std::string::npos);
     CHECK(j["file_format"] == "edem_csv");
     CHECK(j["time"] == 1.5);
     CHECK(j["velocities"] == false);
