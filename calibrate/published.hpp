@@ -62,9 +62,16 @@ struct PublishedExperiment {
     double outlet_diameter, top_diameter, cone_height, outlet_height, base_diameter;  // m
 };
 
+// What only a reader of the publication can say of a finding (observations.hpp): where it stands
+// there, and a sentence. One whose name no computed finding has is a finding of its own.
+struct Remark {
+    std::string topic, name, where, text;
+};
+
 struct Published {
     std::string path, title, source;
     std::vector<std::string> restored;  // digits that the copy read does not show, and why
+    std::vector<Remark> remarks;
     std::string response, unit, failure;
     PublishedExperiment experiment;
     std::vector<PublishedFactor> factors;
@@ -84,7 +91,6 @@ struct Published {
     Printed scale_number, time_step, rayleigh_percent;
 
     const PublishedFactor& factor(const std::string& letter) const;
-    double confirmed_value(const std::string& letter) const;
 };
 
 // Reads the file that stands beside case.json. Throws scaling::InvalidInput, one line.

