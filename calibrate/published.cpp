@@ -170,14 +170,11 @@ void check_letters(const Published& p) {
     for (const PublishedTable* t : {&p.ascent, &p.second_ascent, &p.orthogonal})
         for (const std::string& letter : t->factors) p.factor(letter);
     for (const auto& [letter, unused] : p.confirmed_values) p.factor(letter);
-    const auto& known = p.second_ascent.factors;
-    if (p.orthogonal.factors.size() != 2 ||
-        std::find(known.begin(), known.end(), p.orthogonal.factors[1]) == known.end())
-        throw scaling::InvalidInput(
-            scaling::mistake(p.path + ": orthogonal.factors",
-                             fmt::format("{}", fmt::join(p.orthogonal.factors, ", ")),
-                             "must be two, the second of them also in second_ascent",
-                             "the line is drawn along the second"));
+    if (p.orthogonal.factors.size() != 2 || p.orthogonal.factors != p.second_ascent.factors)
+        throw scaling::InvalidInput(scaling::mistake(
+            p.path + ": orthogonal.factors",
+            fmt::format("{}", fmt::join(p.orthogonal.factors, ", ")),
+            "must be the two of second_ascent", "the line is drawn along the second"));
 }
 
 }  // namespace
@@ -237,6 +234,7 @@ Published read_published(const std::string& case_path) {
     p.simulation_table = simulation.at("table").text();
     p.simulated_base = metres(simulation.at("base_diameter"));
     p.scale_number = printed(simulation.at("scale_number"));
+    p.scaled_scale_number = printed(simulation.at("scaled_scale_number"));
     p.time_step = printed(simulation.at("time_step"));
     p.rayleigh_percent = printed(simulation.at("rayleigh_percent"));
     check_letters(p);

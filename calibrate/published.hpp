@@ -88,7 +88,7 @@ struct Published {
     std::vector<std::pair<std::string, double>> confirmed_values;  // letter, value
     std::string simulation_table;
     double simulated_base;  // m
-    Printed scale_number, time_step, rayleigh_percent;
+    Printed scale_number, scaled_scale_number, time_step, rayleigh_percent;
 
     const PublishedFactor& factor(const std::string& letter) const;
 };

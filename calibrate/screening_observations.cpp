@@ -97,8 +97,7 @@ void add_ranking(std::vector<Observation>& all, const Published& p, const Audit&
              r.largest_t > r.t_needed ? Judgement::fine : Judgement::caution,
              fmt::format("t = {:.2f} would be needed at 95 % with {} degrees of freedom and s = "
                          "{:.2f} {}; the planned design would have found effects of {:.1f} {} with "
-                         "probability 0.8. No run was repeated with another seed, and no centre "
-                         "run was made",
+                         "probability 0.8",
                          r.t_needed, a.fits.front().degrees_of_freedom, a.fits.front().spread,
                          p.unit, a.detectable, p.unit)});
 }
