@@ -26,8 +26,6 @@ struct PublishedFactor {
     double low, high;              // of the screening
     double range_low, range_high;  // in which the factor may lie
     std::optional<Printed> fixed;  // value while other factors were varied
-
-    double coded(double value) const { return (value - 0.5 * (low + high)) / (0.5 * (high - low)); }
 };
 
 // One row of a table of level means (effects.hpp).
