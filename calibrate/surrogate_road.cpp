@@ -222,6 +222,7 @@ SurrogateResult Stand::result(std::size_t before_confirming) const {
         r.confirmed.push_back(count > 0 ? std::optional(sum / count) : std::nullopt);
     }
     r.dead = dead_factors(s, p);
+    r.identification = identify(s, p, at);
     r.runs = static_cast<int>(history.size());
     for (const Run& run : history) r.formed += run.values.has_value();
     r.settled = r.runs < options.budget;

@@ -11,6 +11,7 @@
 // A batch is decided on by the batches before it alone.
 #pragma once
 
+#include "calibrate/identify.hpp"
 #include "calibrate/posterior.hpp"
 
 #include <optional>
@@ -43,6 +44,7 @@ struct SurrogateResult {
     std::vector<std::optional<double>>
         confirmed;                  // [targets], mean of the confirming runs with a heap
     std::vector<std::string> dead;  // factors that move no target by its measurement's deviation
+    Identification identification;
     std::vector<std::string> notes;
     bool settled = false;  // before the budget was spent
     int runs = 0, formed = 0;
