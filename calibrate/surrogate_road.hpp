@@ -41,8 +41,7 @@ struct SurrogateResult {
     std::size_t lead;  // the factor that is fixed best by the data with the others held
     std::vector<Foretold> foretold;  // [targets], by the runs before the confirming ones
     std::vector<Foretold> found;     // [targets], by all runs
-    std::vector<std::optional<double>>
-        confirmed;                  // [targets], mean of the confirming runs with a heap
+    std::vector<std::vector<double>> confirmed;  // [targets], of the confirming runs with a heap
     std::vector<std::string> dead;  // factors that move no target by its measurement's deviation
     Identification identification;
     std::vector<std::string> notes;
