@@ -81,6 +81,10 @@ void check(const Problem& p, const std::vector<Run>& history) {
         const std::string where = fmt::format("history[seed {}]", run.request.seed);
         if (!seeds.insert(run.request.seed).second)
             throw InvalidParameter(mistake(where, "twice", "must be there once", "drop one"));
+        if (run.request.seed < p.seed)
+            throw InvalidParameter(mistake(where, "a seed below that of the problem",
+                                           fmt::format("must be >= {}", p.seed),
+                                           "is it of another campaign?"));
         if (run.request.point.size() != static_cast<Index>(p.factors.size()) ||
             !run.request.point.allFinite())
             throw InvalidParameter(

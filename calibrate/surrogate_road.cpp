@@ -75,9 +75,16 @@ struct Stand {
     std::size_t last() const {  // number of the first confirming run where the budget is spent
         return static_cast<std::size_t>(options.budget - options.confirmations);
     }
+    // Runs 0 to whole() - 1 are there, that one is not.
+    std::size_t whole() const {
+        std::size_t n = 0;
+        while (n < history.size() && number(history[n]) == n) ++n;
+        return n;
+    }
+    // Number of the first confirming run; it may be missing while a later one is there.
     std::optional<std::size_t> confirming() const {
         for (const Run& r : history)
-            if (r.request.stage == "confirming") return number(r);
+            if (r.request.stage == "confirming") return std::min(number(r), whole());
         return std::nullopt;
     }
     std::vector<Request> decided(std::size_t runs) const;
@@ -289,8 +296,7 @@ SurrogateStep next(const Problem& p, const SurrogateOptions& o, const std::vecto
     std::sort(stand.history.begin(), stand.history.end(),
               [](const Run& a, const Run& b) { return a.request.seed < b.request.seed; });
     // The first batch that is not whole; those before it need not be decided again.
-    std::size_t whole = 0;
-    while (whole < stand.history.size() && stand.number(stand.history[whole]) == whole) ++whole;
+    const std::size_t whole = stand.whole();
     const auto confirming = stand.confirming();
     const std::size_t batch = static_cast<std::size_t>(o.batch);
     std::size_t first = whole < stand.start() ? 0

@@ -66,6 +66,7 @@ TEST_CASE("problem: what cannot be is refused and named", "[calibrate][domain]")
     REQUIRE_THROWS_WITH(check(p, {run(7, 0.3, 0.1, 30.0), run(7, 0.4, 0.1, 30.0)}),
                         Catch::Contains("seed 7"));
     REQUIRE_THROWS_WITH(check(p, {run(7, 0.3, 0.1, NAN)}), Catch::Contains("finite"));
+    REQUIRE_THROWS_WITH(check(p, {run(6, 0.3, 0.1, 30.0)}), Catch::Contains("seed 6"));
     const std::vector<Run> history{run(8, 0.3, 0.1, 30.0)};
     REQUIRE(find_run(p, history, 0, history[0].request.point) == nullptr);
     REQUIRE(find_run(p, history, 1, history[0].request.point) == &history[0]);

@@ -30,9 +30,10 @@ TEST_CASE(
     "follow",
     "[calibrate][golden]") {
     const auto p = powder("five", 3);
-    const SurrogateOptions o = budget(13, 3);
+    SurrogateOptions o = budget(15, 3);
+    o.confirmations = 3;
     const std::vector<Run> whole = synthetic::history_of(p, o);
-    REQUIRE(whole.size() == 13);
+    REQUIRE(whole.size() == 15);
     std::vector<Run> history;
     std::mt19937_64 random(5);
     for (;;) {
