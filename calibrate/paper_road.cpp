@@ -236,8 +236,8 @@ void Walk::interpolate(const std::vector<Done>& grid, const std::vector<Done>& p
     Index k = 0;
     if (way.cwiseAbs().maxCoeff(&k) > 0.0 && (way.array() != 0.0).count() == 1) {
         const double slope = (*second->value - *first->value) / way[k];
-        result_.line = Line{problem_.factors[static_cast<std::size_t>(k)].name, slope,
-                            *first->value - slope * first->point[k]};
+        result_.line = PaperLine{problem_.factors[static_cast<std::size_t>(k)].name, slope,
+                                 *first->value - slope * first->point[k]};
     }
 }
 

@@ -33,20 +33,20 @@ struct PaperOptions {
     int confirmations = 1;  // runs, each with a fresh seed
 };
 
-struct Effect {
+struct PaperEffect {
     std::string factor;
     double value;  // unit of the target; 0 where all heaps that formed are at one level
 };
 
-struct Line {  // target = slope * factor + intercept
+struct PaperLine {  // target = slope * factor + intercept
     std::string factor;
     double slope, intercept;
 };
 
 struct PaperResult {
-    std::vector<Effect> ranking;            // largest first
+    std::vector<PaperEffect> ranking;       // largest first
     std::optional<Eigen::VectorXd> answer;  // [factors]; nothing: no heap in any run
-    std::optional<Line> line;               // nothing: interpolated on the ascent, or not at all
+    std::optional<PaperLine> line;          // nothing: interpolated on the ascent, or not at all
     std::optional<double> predicted;        // at the answer, unit of the target
     std::vector<double> confirmed;          // those of the confirming runs that formed a heap
     bool passed = false;                    // the target lies between two runs

@@ -52,13 +52,14 @@ void check(const Data& d, const Hyperparameters& t) {
 }  // namespace
 
 MatrixXd GaussianProcess::prior(const MatrixXd& a, const MatrixXd& b) const {
-    const MatrixXd za = a * theta_.inverse_length.asDiagonal();
-    const MatrixXd zb = b * theta_.inverse_length.asDiagonal();
-    MatrixXd k = theta_.slope * theta_.slope * za * zb.transpose();
+    // One column a point: distances read memory in order.
+    const MatrixXd za = (a * theta_.inverse_length.asDiagonal()).transpose();
+    const MatrixXd zb = (b * theta_.inverse_length.asDiagonal()).transpose();
+    MatrixXd k = theta_.slope * theta_.slope * za.transpose() * zb;
     const double v = theta_.amplitude * theta_.amplitude;
-    for (Index i = 0; i < k.rows(); ++i)
-        for (Index j = 0; j < k.cols(); ++j)
-            k(i, j) += v * correlation(kernel_, (za.row(i) - zb.row(j)).squaredNorm());
+    for (Index j = 0; j < k.cols(); ++j)
+        for (Index i = 0; i < k.rows(); ++i)
+            k(i, j) += v * correlation(kernel_, (za.col(i) - zb.col(j)).squaredNorm());
     return k;
 }
 

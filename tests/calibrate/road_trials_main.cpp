@@ -58,6 +58,7 @@ int main(int argc, char** argv) {
             "held {:d} ({:.2f}, known {:.2f}) foretold {:d} region {:d}\n",
             k, *p.problem.targets[0].value, a.runs, a.miss_deg, c.runs, c.miss_deg, b.runs,
             b.miss_deg, b.held, b.held_share, b.known_share, b.foretold, b.region);
+        std::fflush(stdout);
         paper.add(a.runs, a.miss_deg, a.answered), quarters.add(c.runs, c.miss_deg, c.answered);
         ours.add(b.runs, b.miss_deg, b.answered);
         held += b.held, foretold += b.foretold, region += b.region;
