@@ -11,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace calibrate {
 namespace {
@@ -133,6 +134,25 @@ std::vector<Request> Stand::decided(std::size_t runs) const {
     return batch;
 }
 
+// The factor that the data fix best with the others as in `answer`, and its interval.
+std::pair<Index, statistics::Interval> lead_of(const Surrogate& s, const VectorXd& answer,
+                                               double share) {
+    std::pair<Index, statistics::Interval> best{0, {-1.0, 1.0}};
+    for (Index k = 0; k < answer.size(); ++k) {
+        const auto i = conditional(s, answer, k, share);
+        if (k == 0 || i.high - i.low < best.second.high - best.second.low) best = {k, i};
+    }
+    return best;
+}
+
+// The answer with its lead factor at one end of its interval of even odds.
+VectorXd beside(const Surrogate& s, const VectorXd& answer, bool below) {
+    const auto [lead, i] = lead_of(s, answer, 0.5);
+    VectorXd at = answer;
+    at[lead] = below ? i.low : i.high;
+    return at;
+}
+
 bool is_settled(const Surrogate& s, const VectorXd& answer, double share) {
     for (std::size_t j = 0; j < s.problem().targets.size(); ++j) {
         const Target& t = s.problem().targets[j];
@@ -159,8 +179,11 @@ std::vector<Request> Stand::learning(const std::vector<Run>& before) const {
     for (std::size_t k = 0; k < size; ++k) {
         const bool answers = k == 0 && answer_first;
         if (answers && !settled) {
-            batch.push_back({point_of(problem, answer), problem.seed + runs, "answer"});
-            if (k + 1 < size) s = s.believing(answer);
+            const auto turn =
+                (runs - start()) / static_cast<std::size_t>(std::max(2, options.batch));
+            const VectorXd about = beside(s, answer, turn % 2 == 0);
+            batch.push_back({point_of(problem, about), problem.seed + runs, "answer"});
+            if (k + 1 < size) s = s.believing(about);
             continue;
         }
         const Lesson lesson = best_lesson(s, p, seed_after(runs) + k);
@@ -208,14 +231,11 @@ SurrogateResult Stand::result(std::size_t before_confirming) const {
                                          : point_of(problem, best_answer(s, p));
     const VectorXd at = coded(problem, r.answer);
     r.forms = s.forms(at.transpose())[0];
-    double narrowest = std::numeric_limits<double>::infinity();
     for (Index k = 0; k < at.size(); ++k) {
-        const auto held = conditional(s, at, k, confidence);
         r.free.push_back(in_units(problem, k, marginal(p, k, confidence)));
-        r.held.push_back(in_units(problem, k, held));
-        if (held.high - held.low < narrowest)
-            narrowest = held.high - held.low, r.lead = static_cast<std::size_t>(k);
+        r.held.push_back(in_units(problem, k, conditional(s, at, k, confidence)));
     }
+    r.lead = static_cast<std::size_t>(lead_of(s, at, confidence).first);
     const auto earlier = first_runs(history, before_confirming);
     const Surrogate then(problem, earlier, seed_after(earlier.size()));
     for (std::size_t j = 0; j < problem.targets.size(); ++j) {

@@ -2,9 +2,12 @@
 // Calibration by a surrogate (surrogate.hpp), one batch of runs after the other:
 //   1. start       a Latin hypercube, of 64 the one whose nearest runs are furthest apart (Johnson, Moore
 //                  & Ylvisaker 1990, J. Stat. Plan. Inference 26, 131)
-//   2. answer and  in turns: a run at the best answer so far, and a run where it teaches most about the
-//      learning    parameters (teaching.hpp). The answer x makes
-//                  sum_j E[(f_j(x) - measured_j)^2] / s_j^2 - 2 log P(a heap forms) least
+//   2. answer and  in turns: a run beside the best answer so far, and a run where it teaches most about
+//      learning    the parameters (teaching.hpp). The answer x makes
+//                  sum_j E[(f_j(x) - measured_j)^2] / s_j^2 - 2 log P(a heap forms) least. Beside it: the
+//                  lead factor, the one that the data fix best with the others held, goes to the lower and the
+//                  upper quartile of what it may be, by turns. That tells the slope too; runs at the answer
+//                  itself gave wider intervals and larger misses (docs/calibrate-roads.md)
 //   3. confirming  at the answer, with fresh seeds, once it is settled or the budget is spent. It is
 //                  settled where the root of E[(f_j - measured_j)^2] is below `settled` s_j for each
 //                  target and no run is expected to take away a tenth of what is open
