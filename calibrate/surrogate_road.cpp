@@ -90,23 +90,29 @@ struct Stand {
     }
     std::vector<Request> decided(std::size_t runs) const;
     std::vector<Request> learning(const std::vector<Run>& before) const;
-    std::vector<Request> confirming_at(const VectorXd& answer, std::size_t first) const;
+    std::vector<Request> confirming_at(VectorXd point, std::size_t first) const;
     std::vector<Request> missing(const std::vector<Request>& batch) const;
     SurrogateResult result(std::size_t before_confirming) const;
 };
 
+// By number alone: another machine rounds otherwise and would have asked for other points, but a run
+// that was made is used where it was made.
 std::vector<Request> Stand::missing(const std::vector<Request>& batch) const {
     std::vector<Request> list;
     for (const Request& r : batch)
-        if (!find_run(problem, history, r.seed - problem.seed, r.point)) list.push_back(r);
+        if (std::none_of(history.begin(), history.end(),
+                         [&](const Run& run) { return run.request.seed == r.seed; }))
+            list.push_back(r);
     return list;
 }
 
-std::vector<Request> Stand::confirming_at(const VectorXd& answer, std::size_t first) const {
+// At `point` (in units) or, where a confirming run is there already, at its point.
+std::vector<Request> Stand::confirming_at(VectorXd point, std::size_t first) const {
+    for (const Run& r : history)
+        if (r.request.stage == "confirming") point = r.request.point;
     std::vector<Request> batch;
     for (int k = 0; k < options.confirmations; ++k)
-        batch.push_back({point_of(problem, answer), problem.seed + first + static_cast<unsigned>(k),
-                         "confirming"});
+        batch.push_back({point, problem.seed + first + static_cast<unsigned>(k), "confirming"});
     return batch;
 }
 
@@ -170,7 +176,7 @@ std::vector<Request> Stand::learning(const std::vector<Run>& before) const {
     Surrogate s(problem, before, seed_after(runs));
     const Posterior p = posterior(s, seed_after(runs));
     const VectorXd answer = best_answer(s, p);
-    if (runs >= last()) return confirming_at(answer, runs);
+    if (runs >= last()) return confirming_at(point_of(problem, answer), runs);
     const bool settled = is_settled(s, answer, options.settled);
     const std::size_t size =
         std::min<std::size_t>(static_cast<std::size_t>(options.batch), last() - runs);
@@ -187,7 +193,8 @@ std::vector<Request> Stand::learning(const std::vector<Run>& before) const {
             continue;
         }
         const Lesson lesson = best_lesson(s, p, seed_after(runs) + k);
-        if (settled && k == 0 && lesson.gain < worth_a_run) return confirming_at(answer, runs);
+        if (settled && k == 0 && lesson.gain < worth_a_run)
+            return confirming_at(point_of(problem, answer), runs);
         batch.push_back({point_of(problem, lesson.point), problem.seed + runs + k, "learning"});
         if (k + 1 < size) s = s.believing(lesson.point);
     }
@@ -329,7 +336,8 @@ SurrogateStep next(const Problem& p, const SurrogateOptions& o, const std::vecto
         if (!two_formed(history)) return {};
         return {{}, stand.result(confirming.value_or(whole))};
     }
-    const auto requests = stand.missing(stand.decided(first));
+    const auto requests =
+        stand.missing(confirming ? stand.confirming_at({}, first) : stand.decided(first));
     if (!requests.empty()) return {requests, std::nullopt};
     if (!two_formed(history)) return {};
     return {{}, stand.result(first)};

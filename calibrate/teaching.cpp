@@ -3,6 +3,7 @@
 
 #include "calibrate/designs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -45,7 +46,8 @@ Questions questions(const Surrogate& s, const Posterior& p, std::uint64_t seed) 
     ArrayXd size = (s.log_likelihood(pool).array());
     size = (size - size.maxCoeff()).exp();
     // Half of the pool follows L (normalised here by the other half, which is even), half is even.
-    const double level = size.tail(2 * ask_count).mean();
+    // Two sharp targets may leave nothing of the even half.
+    const double level = std::max(size.tail(2 * ask_count).mean(), 1e-200);
     const ArrayXd proposal = 0.5 * size / level + 0.5;
     const ArrayXd weight = size.square() / proposal;
     const auto rows = resampled(weight.matrix(), ask_count, 0.5);

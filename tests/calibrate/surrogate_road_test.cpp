@@ -54,6 +54,32 @@ TEST_CASE(
     }
 }
 
+// 1e-6 deg stands for the other rounding of another machine, which sends the chain of hyperparameters elsewhere.
+TEST_CASE("surrogate road: a campaign goes on where another machine began it", "[calibrate]") {
+    const auto p = powder("three", 4);
+    SurrogateOptions o = budget(12, 3);
+    o.confirmations = 2;
+    std::vector<Run> history = synthetic::history_of(p, o);
+    REQUIRE(history.size() == 12);
+    for (Run& r : history)
+        if (r.values) r.values->front() += 1e-6;
+    const auto without = [&](std::size_t number) {
+        std::vector<Run> some = history;
+        some.erase(some.begin() + static_cast<std::ptrdiff_t>(number));
+        return some;
+    };
+    const auto confirming = next(p.problem, o, without(10)).requests;
+    REQUIRE(confirming.size() == 1);
+    CHECK(confirming[0].seed == history[10].request.seed);
+    CHECK(confirming[0].point == history[11].request.point);
+    std::vector<Run> half(history.begin(), history.begin() + 8);
+    half.erase(half.begin() + 6);
+    const auto batch = next(p.problem, o, half).requests;
+    REQUIRE(batch.size() == 2);  // of runs 6, 7 and 8 the middle one is there
+    CHECK(batch[0].seed == p.problem.seed + 6);
+    CHECK(batch[1].seed == p.problem.seed + 8);
+}
+
 TEST_CASE("surrogate road: every budget is kept, batches of any size", "[calibrate][identity]") {
     const auto p = powder("three", 1);
     for (const int batch : {1, 2, 4}) {
