@@ -41,6 +41,7 @@ Audit audit(const AuditInput& input) {
     const Eigen::MatrixXd x = model_matrix(formed.design, Terms::linear);
     const std::vector<std::string> names = linear_terms(static_cast<int>(formed.design.cols()));
     Audit a{};
+    a.bound = input.bound;
     a.runs = static_cast<int>(planned.rows());
     a.failed = static_cast<int>(planned.rows() - x.rows());
     a.terms = static_cast<int>(x.cols());
@@ -57,11 +58,10 @@ Audit audit(const AuditInput& input) {
     a.fits = fits_of(formed, a.null_vectors);
     a.variance = analysis_of_variance(formed);
     const int planned_freedom = a.runs - a.terms;
-    if (!a.fits.empty() && a.fits.front().degrees_of_freedom > 0 && planned_freedom > 0)
+    if (!a.fits.empty() && a.fits.front().spread > 0.0 && planned_freedom > 0)
         a.detectable =
             detectable_effect(2.0 * a.fits.front().spread / std::sqrt(a.runs), planned_freedom);
-    if (!input.claimed.empty() && !a.fits.empty())
-        a.ranking = judged_ranking(input.claimed, a.null_vectors, a.fits);
+    if (!input.claimed.empty()) a.ranking = judged_ranking(input.claimed, a.null_vectors, a.fits);
     if (a.failed > 0) add_failed_runs(a, input);
     return a;
 }

@@ -35,6 +35,7 @@ struct Audit {
     // the fits; 0 without degrees of freedom.
     double detectable;
     Ranking ranking;
+    double bound;  // as given
     // Empty without failed runs.
     std::vector<Imputed> imputed;
     std::vector<std::optional<double>> sign_changes;  // [factors]

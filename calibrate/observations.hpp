@@ -20,7 +20,7 @@ struct Observation {
     std::string topic;  // "screening", "ascent", "orthogonal test", "experiment", "numerics",
                         // "similarity"
     std::string name;   // snake_case, stable
-    double value;
+    double value;       // NaN where it is a reader's remark alone
     std::string unit;   // SI, "deg" or "%"; "1" without
     std::string where;  // in the publication
     scaling::Judgement judgement;

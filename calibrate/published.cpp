@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "calibrate/published.hpp"
 
+#include "calibrate/designs.hpp"
 #include "cases/json_tree.hpp"
 #include "scaling/errors.hpp"
 #include "scaling/quantities.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -101,14 +103,15 @@ PublishedEffect effect_of(const Value& v) {
 // Rows of values and either a response with its error, or "formed" and "not formed".
 PublishedTable table_of(const Value& v) {
     PublishedTable t{v.at("table").text(), texts(v.at("factors")), {}};
-    for (const Value& row : items(v.at("rows"))) {
-        const std::vector<Value>& cells = items(row);
+    const std::vector<Value>& rows = items(v.at("rows"));
+    if (rows.empty()) cases::refuse(v.at("rows"), "must hold a run", "leave nothing out");
+    for (const Value& row : rows) {
+        const std::vector<Value>& cells = items(row, row.items.size() == 3 ? 3 : 2);
         PublishedRow r{{}, std::nullopt, std::nullopt, true};
-        for (const Value& value : items(cells.at(0), t.factors.size()))
+        for (const Value& value : items(cells[0], t.factors.size()))
             r.values.push_back(printed(value));
-        const std::string& came = items(row, cells.size() == 3 ? 3 : 2)[1].text();
-        r.formed = came != "not formed";
-        if (r.formed && came != "formed") r.response = printed(cells[1]);
+        r.formed = cells[1].text() != "not formed";
+        if (r.formed && cells[1].text() != "formed") r.response = printed(cells[1]);
         if (cells.size() == 3) r.relative_error = printed(cells[2]);
         t.rows.push_back(r);
     }
@@ -139,14 +142,39 @@ void read_confirmed(const Value& v, Published& p) {
 }
 
 void read_screening(const Value& top, Published& p) {
-    for (const Value& f : items(top.at("factors").at("list"))) p.factors.push_back(factor_of(f));
+    const std::vector<Value>& factors = items(top.at("factors").at("list"));
+    for (std::size_t k = 0; k < factors.size(); ++k) {
+        p.factors.push_back(factor_of(factors[k]));
+        const std::string letter(1, factor_letter(static_cast<int>(k)));
+        if (p.factors.back().letter != letter)
+            cases::refuse(factors[k].at("letter"), fmt::format("must be \"{}\"", letter),
+                          "letters go with the columns of the screening, A first, without I");
+    }
     p.screening_table = top.at("screening").at("table").text();
     p.screening = screening_of(top.at("screening"), p.factors.size());
+    if (usable(p.screening).responses.size() < 2)
+        cases::refuse(top.at("screening").at("runs"), "must hold two runs with a response",
+                      "an effect is a difference");
     const Value& effects = top.at("main_effects");
     p.effects_table = effects.at("table").text();
     p.claimed = texts(effects.at("claimed"));
-    for (const Value& row : items(effects.at("rows"), p.factors.size()))
+    for (const Value& row : items(effects.at("rows"), p.factors.size())) {
         p.effects.push_back(effect_of(row));
+        p.factor(p.effects.back().factor);
+    }
+}
+
+// Every letter that a table or an order names is a factor, and the line has its factor.
+void check_letters(const Published& p) {
+    for (const std::string& letter : p.claimed) p.factor(letter);
+    for (const PublishedTable* t : {&p.ascent, &p.second_ascent, &p.orthogonal})
+        for (const std::string& letter : t->factors) p.factor(letter);
+    for (const auto& [letter, unused] : p.confirmed_values) p.factor(letter);
+    if (p.orthogonal.factors.size() != 2 || p.orthogonal.factors != p.second_ascent.factors)
+        throw scaling::InvalidInput(scaling::mistake(
+            p.path + ": orthogonal.factors",
+            fmt::format("{}", fmt::join(p.orthogonal.factors, ", ")),
+            "must be the two of second_ascent", "the line is drawn along the second"));
 }
 
 }  // namespace
@@ -170,13 +198,6 @@ const PublishedFactor& Published::factor(const std::string& letter) const {
                                                  "must be one of the factors", "add it"));
 }
 
-double Published::confirmed_value(const std::string& letter) const {
-    for (const auto& [known, value] : confirmed_values)
-        if (known == letter) return value;
-    throw scaling::InvalidInput(scaling::mistake(path + ": confirmed.values", '"' + letter + '"',
-                                                 "must be among the values", "add it"));
-}
-
 Published read_published(const std::string& case_path) {
     const std::filesystem::path given(case_path);
     const std::filesystem::path folder =
@@ -194,6 +215,9 @@ Published read_published(const std::string& case_path) {
     p.title = top.at("title").text();
     p.source = top.at("source").text();
     p.restored = texts(top.at("restored"));
+    for (const Value& r : items(top.at("remarks")))
+        p.remarks.push_back(
+            {r.at("topic").text(), r.at("name").text(), r.at("where").text(), r.at("text").text()});
     p.response = top.at("response").at("name").text();
     p.unit = top.at("response").at("unit").text();
     p.failure = top.at("response").at("failure").text();
@@ -210,8 +234,10 @@ Published read_published(const std::string& case_path) {
     p.simulation_table = simulation.at("table").text();
     p.simulated_base = metres(simulation.at("base_diameter"));
     p.scale_number = printed(simulation.at("scale_number"));
+    p.scaled_scale_number = printed(simulation.at("scaled_scale_number"));
     p.time_step = printed(simulation.at("time_step"));
     p.rayleigh_percent = printed(simulation.at("rayleigh_percent"));
+    check_letters(p);
     return p;
 }
 

@@ -26,8 +26,6 @@ struct PublishedFactor {
     double low, high;              // of the screening
     double range_low, range_high;  // in which the factor may lie
     std::optional<Printed> fixed;  // value while other factors were varied
-
-    double coded(double value) const { return (value - 0.5 * (low + high)) / (0.5 * (high - low)); }
 };
 
 // One row of a table of level means (effects.hpp).
@@ -62,9 +60,16 @@ struct PublishedExperiment {
     double outlet_diameter, top_diameter, cone_height, outlet_height, base_diameter;  // m
 };
 
+// What only a reader of the publication can say of a finding (observations.hpp): where it stands
+// there, and a sentence. One whose name no computed finding has is a finding of its own.
+struct Remark {
+    std::string topic, name, where, text;
+};
+
 struct Published {
     std::string path, title, source;
     std::vector<std::string> restored;  // digits that the copy read does not show, and why
+    std::vector<Remark> remarks;
     std::string response, unit, failure;
     PublishedExperiment experiment;
     std::vector<PublishedFactor> factors;
@@ -81,10 +86,9 @@ struct Published {
     std::vector<std::pair<std::string, double>> confirmed_values;  // letter, value
     std::string simulation_table;
     double simulated_base;  // m
-    Printed scale_number, time_step, rayleigh_percent;
+    Printed scale_number, scaled_scale_number, time_step, rayleigh_percent;
 
     const PublishedFactor& factor(const std::string& letter) const;
-    double confirmed_value(const std::string& letter) const;
 };
 
 // Reads the file that stands beside case.json. Throws scaling::InvalidInput, one line.

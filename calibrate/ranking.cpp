@@ -10,10 +10,29 @@ namespace calibrate {
 
 namespace {
 
-bool differs_from_zero(const EffectFit& fit, const std::string& factor) {
+const Effect* effect_of(const EffectFit& fit, const std::string& factor) {
     for (const Effect& e : fit.effects)
-        if (e.factor == factor) return e.p < 0.05;
-    return false;
+        if (e.factor == factor) return &e;
+    return nullptr;
+}
+
+// The first of the claimed effects that does not differ from zero, or not in size from the next, in
+// words; empty where there is none.
+std::string weakest(const std::vector<std::string>& claimed, const EffectFit& fit, double t) {
+    const Effect* before = nullptr;
+    for (const std::string& factor : claimed) {
+        const Effect* e = effect_of(fit, factor);
+        if (e == nullptr || !(std::abs(e->t) > t))
+            return fmt::format("{} does not differ from zero at 95 %", factor);
+        if (before != nullptr) {
+            const double apart = std::abs(before->estimate) - std::abs(e->estimate);
+            const double error = std::hypot(before->standard_error, e->standard_error);
+            if (!(apart > t * error))
+                return fmt::format("{} is not larger than {} at 95 %", before->factor, factor);
+        }
+        before = e;
+    }
+    return "";
 }
 
 }  // namespace
@@ -36,11 +55,13 @@ Ranking judged_ranking(const std::vector<std::string>& claimed,
     r.claimed = fmt::format("{}", fmt::join(claimed, " > "));
     std::vector<std::string> tangled;
     for (const NullVector& n : null_vectors) {
-        for (const std::string& factor : claimed) {
-            const std::vector<std::string> names =
-                linear_terms(static_cast<int>(n.coefficients.size()) - 1);
-            const auto at = std::find(names.begin(), names.end(), factor) - names.begin();
-            if (n.coefficients(at) != 0.0) tangled.push_back(factor);
+        const int terms = static_cast<int>(n.coefficients.size());
+        const std::vector<std::string> names = linear_terms(terms - 1);
+        for (int k = 1; k < terms; ++k) {
+            const std::string& name = names[static_cast<std::size_t>(k)];
+            const bool new_one = std::find(tangled.begin(), tangled.end(), name) == tangled.end();
+            const bool asked = std::find(claimed.begin(), claimed.end(), name) != claimed.end();
+            if (n.coefficients(k) != 0.0 && asked && new_one) tangled.push_back(name);
         }
     }
     r.structural = tangled.empty();
@@ -50,18 +71,19 @@ Ranking judged_ranking(const std::vector<std::string>& claimed,
         r.t_needed = statistics::student_quantile(0.975, fit.degrees_of_freedom);
         for (const Effect& e : fit.effects) r.largest_t = std::max(r.largest_t, std::abs(e.t));
     }
-    bool all_differ = fits.size() == 1;
-    for (const std::string& factor : claimed)
-        all_differ = all_differ && differs_from_zero(fits.front(), factor);
-    r.identifiable = r.structural && all_differ;
-    if (!r.structural)
-        r.why = fmt::format(
-            "{} cannot be told apart, since {}: fits with the same residuals order the effects {}",
-            fmt::join(tangled, ", "), null_vectors.front().text, fmt::join(r.other, "; or "));
-    else if (!r.identifiable)
-        r.why = "not every claimed effect differs from zero at 95 %";
-    else
-        r.why = "each claimed effect can be estimated and differs from zero at 95 %";
+    if (!r.structural) {
+        r.why = fmt::format("{} cannot be told apart, since {}", fmt::join(tangled, ", "),
+                            null_vectors.front().text);
+        if (!r.other.empty())
+            r.why += fmt::format(": fits with the same residuals order the effects {}",
+                                 fmt::join(r.other, "; or "));
+        return r;
+    }
+    const std::string weak = fits.empty() || r.t_needed == 0.0
+                                 ? "no degree of freedom is left to judge by"
+                                 : weakest(claimed, fits.front(), r.t_needed);
+    r.identifiable = weak.empty();
+    r.why = weak.empty() ? "each effect differs from zero and from the next at 95 %" : weak;
     return r;
 }
 

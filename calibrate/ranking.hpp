@@ -21,8 +21,8 @@ struct Ranking {
     std::string why;    // one sentence
 };
 
-// `fits`: one of full rank, or one for each term that may be left out (effects.hpp). `claimed`:
-// factors by letter, the largest effect first.
+// `fits`: one of full rank, one for each term that may be left out (effects.hpp), or none.
+// `claimed`: factors by letter, the largest effect first.
 Ranking judged_ranking(const std::vector<std::string>& claimed,
                        const std::vector<NullVector>& null_vectors,
                        const std::vector<EffectFit>& fits);

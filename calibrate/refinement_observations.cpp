@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 namespace calibrate {
 
@@ -43,24 +44,34 @@ void add_ascent(std::vector<Observation>& all, const Published& p, const Replay&
                      p.ascent.factors.size() + 1)});
 }
 
+// Runs of the orthogonal table that were made before, and what is left of the array's saving.
 void add_repeats(std::vector<Observation>& all, const Published& p) {
     int again = 0;
     for (const PublishedRow& row : p.orthogonal.rows) {
         for (const PublishedRow& before : p.second_ascent.rows) {
-            bool same = row.response->text == before.response->text;
+            bool same = before.response && row.response->text == before.response->text;
             for (std::size_t k = 0; k < row.values.size(); ++k)
                 same = same && row.values[k].value == before.values[k].value;
             again += same;
         }
     }
+    std::size_t combinations = 1;
+    for (std::size_t k = 0; k < p.orthogonal.factors.size(); ++k) {
+        std::set<double> levels;
+        for (const PublishedRow& row : p.orthogonal.rows) levels.insert(row.values[k].value);
+        combinations *= levels.size();
+    }
+    const std::size_t runs = p.orthogonal.rows.size();
     all.push_back(
         {"orthogonal test", "runs_used_again", static_cast<double>(again), "1", p.orthogonal.table,
          Judgement::caution,
-         fmt::format("two factors at three levels in {} runs are all combinations, so nothing is "
-                     "left of an orthogonal array's saving; {} of the runs are those of {}. No run "
-                     "was made twice: there is no pure error, and the scatter between seeds is not "
-                     "known",
-                     p.orthogonal.rows.size(), again, p.second_ascent.table)});
+         fmt::format("{} runs for {} combinations of levels{}; {} of the runs are those of "
+                     "{}. A run used again shows no scatter between seeds",
+                     runs, combinations,
+                     runs >= combinations
+                         ? ": all of them, nothing is left of an orthogonal array's saving"
+                         : "",
+                     again, p.second_ascent.table)});
 }
 
 void add_variance(std::vector<Observation>& all, const Published& p, const Replay& r) {
@@ -68,7 +79,7 @@ void add_variance(std::vector<Observation>& all, const Published& p, const Repla
         const bool seen = row.p < 0.05;
         all.push_back(
             {"orthogonal test", "f_of_" + row.source, row.f, "1", p.orthogonal.table,
-             seen ? Judgement::fine : Judgement::unusable,
+             seen ? Judgement::fine : Judgement::caution,
              fmt::format("{} has a sum of squares of {:.2f} on {} degrees of freedom, p = {:.2g}: "
                          "the response {} it over the levels tried",
                          row.source, row.sum_of_squares, row.degrees_of_freedom, row.p,
@@ -116,7 +127,7 @@ void add_experiment(std::vector<Observation>& all, const Published& p, const Rep
     const std::string& unit = p.factor(p.orthogonal.factors[1]).unit;
     all.push_back({"experiment", "half_width_of_95_percent", half, p.unit, p.experiment.table,
                    Judgement::caution,
-                   fmt::format("{} readings on one heap have s = {:.2f} {} and a mean known to +- "
+                   fmt::format("{} readings have s = {:.2f} {} and a mean known to +- "
                                "{:.2f} {}; through the line that is +- {:.2f} {} of {}",
                                s.count, s.standard_deviation, p.unit, half, p.unit,
                                half / r.line.slope, unit, p.orthogonal.factors[1])});
@@ -132,22 +143,17 @@ void add_experiment(std::vector<Observation>& all, const Published& p, const Rep
     all.push_back({"experiment", "targets_per_parameter",
                    1.0 / static_cast<double>(p.factors.size()), "1", p.experiment.table,
                    Judgement::caution,
-                   fmt::format("one number is the target of {} parameters; the bulk density was "
-                               "measured and could be a second",
-                               p.factors.size())});
+                   fmt::format("one number is the target of {} parameters", p.factors.size())});
     // Full angle of the funnel's cone; its outlet is its smaller end.
     const double cone = 2.0 *
                         std::atan2(0.5 * (p.experiment.top_diameter - p.experiment.outlet_diameter),
                                    p.experiment.cone_height) *
                         180.0 / std::numbers::pi;
-    all.push_back(
-        {"experiment", "funnel_cone_angle", cone, "deg", p.experiment.table, Judgement::caution,
-         fmt::format("GB/T 16913-2008, 4.5, asks for an outlet of 5 mm, a cone of 60 +- "
-                     "0.5 deg, 80 +- 2 mm to the plate, and 3 to 5 heaps with mean and "
-                     "standard deviation; here {:g} mm, {:.1f} deg, {:g} mm, and one heap "
-                     "read at {} places",
-                     1e3 * p.experiment.outlet_diameter, cone, 1e3 * p.experiment.outlet_height,
-                     s.count)});
+    all.push_back({"experiment", "funnel_cone_angle", cone, "deg", p.experiment.table,
+                   Judgement::fine,
+                   fmt::format("outlet {:g} mm, {:g} mm above the base; read at {} places",
+                               1e3 * p.experiment.outlet_diameter, 1e3 * p.experiment.outlet_height,
+                               s.count)});
 }
 
 }  // namespace

@@ -190,6 +190,8 @@ Replay replay(const Published& p, const scaling::ScaleStudy& study) {
           relative_error(p.confirmed.value, target));
     c.add(p.simulation_table, "scale number of the original grains", p.scale_number,
           study.original_scale_number.value);
+    c.add(p.simulation_table, "scale number of the scaled grains", p.scaled_scale_number,
+          study.scaled_scale_number.value);
     c.add(p.simulation_table,
           fmt::format("time step, {} % of the Rayleigh time", p.rayleigh_percent.text), p.time_step,
           0.01 * p.rayleigh_percent.value * study.scaled_cost.rayleigh_time.value());

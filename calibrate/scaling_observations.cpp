@@ -66,7 +66,7 @@ void add_numerics(std::vector<Observation>& all, const Published& p,
                      steps, grains, speed)});
 }
 
-// What the publication's own base factors (length h, density 1, time h) give, against what it keeps.
+// What length h, density 1 and time h give, and what kept gravity gives.
 void add_schemes(std::vector<Observation>& all, const scaling::ScaleStudy& study) {
     const scaling::ScaleMap exact =
         scaling::ScaleMap::solve(scaling::named_scheme("exact"), study.h);
@@ -75,16 +75,15 @@ void add_schemes(std::vector<Observation>& all, const scaling::ScaleStudy& study
     const auto law = [](const scaling::ScaleMap& map, const char* quantity) {
         return scaling::to_string(map.exponents(quantity));
     };
-    all.push_back({"similarity", "factor_of_surface_energy_by_own_table",
-                   exact.factor("surface_energy"), "1", "Table 2 and section 3.3.2",
-                   Judgement::caution,
-                   fmt::format("with length h, density 1 and time h a surface energy goes as {}; "
-                               "Table 2 leaves it out, and the text says that it does not scale",
+    add_findings(all, study.findings, "similarity", "", {"broken_groups"});
+    all.push_back({"similarity", "factor_of_surface_energy_under_exact_scaling",
+                   exact.factor("surface_energy"), "1", "", Judgement::caution,
+                   fmt::format("with length h, density 1 and time h a surface energy goes as {}",
                                law(exact, "surface_energy"))});
-    all.push_back({"similarity", "factor_of_gravity_by_own_table", exact.factor("gravity"), "1",
-                   "Table 2 and section 3.3.2", Judgement::caution,
-                   fmt::format("the same factors ask for gravity {}, which is kept instead, as the "
-                               "paper says. Kept gravity and density ask for time {}, modulus {} "
+    all.push_back({"similarity", "factor_of_gravity_under_exact_scaling", exact.factor("gravity"),
+                   "1", "", Judgement::caution,
+                   fmt::format("the same factors ask for gravity {}, which was kept instead. Kept "
+                               "gravity and density ask for time {}, modulus {} "
                                "and surface energy {}, so that what was simulated is neither",
                                law(exact, "gravity"), law(kept, "time"),
                                law(kept, "youngs_modulus"), law(kept, "surface_energy"))});
@@ -94,43 +93,40 @@ void add_apparatus(std::vector<Observation>& all, const Published& p,
                    const scaling::ScaleInput& input, const scaling::ScaleStudy& study) {
     const double base = p.simulated_base / p.experiment.base_diameter;
     all.push_back(
-        {"similarity", "simulated_base_over_real", base, "1", "section 4.2 and Figure 5",
-         Judgement::caution,
+        {"similarity", "simulated_base_over_real", base, "1", "", Judgement::caution,
          fmt::format("the grain is scaled by {:g}, the base by {:.3g} and the funnel by 1: "
-                     "a coarse-grained model, not a geometrically similar one. That the "
-                     "angle does not depend on the base is cited, not shown",
+                     "a coarse-grained model, not a geometrically similar one",
                      study.h, base)});
     const double before = p.experiment.outlet_diameter / input.grain.diameter.value();
-    all.push_back(
-        {"similarity", "outlet_over_scaled_grain", before / study.h, "1", p.simulation_table,
-         Judgement::caution,
-         fmt::format("the outlet falls from {:.0f} to {:.0f} grain diameters, so that the "
-                     "clogging which motivates the study is not similar. S_n = {:.0f} "
-                     "says how hard a problem is to compute, not how faithful",
-                     before, before / study.h, study.scaled_scale_number.value)});
+    all.push_back({"similarity", "outlet_over_scaled_grain", before / study.h, "1",
+                   p.simulation_table, Judgement::caution,
+                   fmt::format("the outlet falls from {:.0f} to {:.0f} grain diameters, so that "
+                               "arching in it is not similar. S_n = {:.0f} "
+                               "says how hard a problem is to compute, not how faithful",
+                               before, before / study.h, study.scaled_scale_number.value)});
 }
 
-// rho g L^2 / gamma with L the radius or the diameter: equation 30 leaves it open.
+// rho g L^2 / gamma, with L the radius or the diameter.
 void add_bond(std::vector<Observation>& all, const scaling::ScaleInput& input,
               const scaling::ScaleStudy& study) {
     if (!study.adhesion) return;
     const double gamma = study.adhesion->scaled.surface_energy.value();
     const double r = 0.5 * input.grain.diameter.value();
     const double bo = input.grain.density.value() * input.grain.gravity.value() * r * r / gamma;
-    all.push_back({"similarity", "equation_30_scaled_over_original", study.h * study.h, "1",
-                   "equation 30", Judgement::caution,
+    all.push_back({"similarity", "weight_over_adhesion_scaled_over_original", study.h * study.h,
+                   "1", "", Judgement::caution,
                    fmt::format("with L the radius it is {:.3g} and {:.3g}, with the diameter four "
                                "times that: small where adhesion is strong, the inverse of the "
                                "Bond number of powders",
                                bo, bo * study.h * study.h)});
     const double twice = study.adhesion->scaled.pull_off_in_grain_weights;
     all.push_back(
-        {"similarity", "pull_off_in_grain_weights", twice, "1", "Table 11", Judgement::caution,
-         fmt::format("{:.0f} where {:g} J/m^2 belongs to one surface (w = 2 gamma), {:.0f} "
-                     "where it is the work of adhesion of the pair: the paper does not "
-                     "say which, and codes differ",
-                     twice, gamma, 0.5 * twice)});
-    add_findings(all, study.adhesion->findings, "similarity", "section 3.3.2",
+        {"similarity", "pull_off_in_grain_weights", twice, "1", "", Judgement::caution,
+         fmt::format(
+             "{:.0f} where {:g} J/m^2 belongs to one surface (w = 2 gamma), {:.0f} "
+             "where it is the work of adhesion of the pair; codes differ in what they ask for",
+             twice, gamma, 0.5 * twice)});
+    add_findings(all, study.adhesion->findings, "similarity", "",
                  {"impact_overlap_over_radius", "impact_over_sticking_speed",
                   "original_surface_energy_over_lowest"});
 }
@@ -149,15 +145,15 @@ void add_invariants(std::vector<Observation>& all, const Published& p,
         list += fmt::format("{}{:.3g} J/m^2 ({})", list.empty() ? "" : ", ", gamma,
                             a.invariant ? scaling::to_string(*a.invariant) : "scheme");
     }
-    all.push_back({"similarity", "original_surface_energies_apart", most / least, "1",
-                   "section 3.3.2", Judgement::caution,
+    all.push_back({"similarity", "original_surface_energies_apart", most / least, "1", "",
+                   Judgement::caution,
                    fmt::format("what the calibrated value means for the powder hangs on what is to "
                                "be kept: {}",
                                list)});
     const std::string& letter = p.orthogonal.factors[1];
     const double top = p.factor(letter).range_high;
     all.push_back({"similarity", "highest_original_surface_energy_in_range", top / study.h, "J/m^2",
-                   "Table 4", Judgement::caution,
+                   "", Judgement::caution,
                    fmt::format("with the stress Bond number kept the range searched, up to {:g} "
                                "J/m^2, stands for at most {:.3g} J/m^2 on a powder grain, with the "
                                "weight Bond number for {:.3g}. Smooth solids have some hundredths "
@@ -175,8 +171,7 @@ void add_powder(std::vector<Observation>& all, const cases::Case& c,
     const double carried = scaling::power_of(
         soft / dense, scaling::modulus_exponent(scaling::Invariant::sticking_velocity));
     all.push_back(
-        {"similarity", "adhesion_for_the_softened_modulus", carried, "1", "section 4.3.3",
-         Judgement::caution,
+        {"similarity", "adhesion_for_the_softened_modulus", carried, "1", "", Judgement::caution,
          fmt::format("the shear modulus is softened from about {:.0f} GPa to {:.0f} MPa; to "
                      "keep the sticking speed the adhesion would go down to {:.3g} of its "
                      "value, to keep the pull-off force it stays: one of the two is lost",
@@ -184,7 +179,7 @@ void add_powder(std::vector<Observation>& all, const cases::Case& c,
     if (c.stated.bulk_density)
         all.push_back({"similarity", "packing_fraction_measured",
                        scaling::Dimensionless(*c.stated.bulk_density / input.grain.density).value(),
-                       "1", "section 2.1", Judgement::fine,
+                       "1", "", Judgement::fine,
                        "follows from the bulk density and was not used: a second target that costs "
                        "no further run"});
     const auto& sizes = c.grain.size_distribution;
@@ -199,7 +194,7 @@ void add_powder(std::vector<Observation>& all, const cases::Case& c,
         if (std::abs(fraction - 0.9) < 1e-9) d90 = diameter.value();
     }
     const double sigma = zx / zz, sauter = d50 * std::exp(-0.5 * sigma * sigma);
-    all.push_back({"similarity", "span_of_the_sizes", (d90 - d10) / d50, "1", "Table 1",
+    all.push_back({"similarity", "span_of_the_sizes", (d90 - d10) / d50, "1", "",
                    Judgement::caution,
                    fmt::format("one size stands for D10 to D90 of {:.3g} to {:.3g} um (log-normal "
                                "with sigma {:.2f}); the mean by surface is {:.2g} um, half of the "

@@ -97,8 +97,7 @@ void add_ranking(std::vector<Observation>& all, const Published& p, const Audit&
              r.largest_t > r.t_needed ? Judgement::fine : Judgement::caution,
              fmt::format("t = {:.2f} would be needed at 95 % with {} degrees of freedom and s = "
                          "{:.2f} {}; the planned design would have found effects of {:.1f} {} with "
-                         "probability 0.8. No run was repeated with another seed, and no centre "
-                         "run was made",
+                         "probability 0.8",
                          r.t_needed, a.fits.front().degrees_of_freedom, a.fits.front().spread,
                          p.unit, a.detectable, p.unit)});
 }
@@ -129,13 +128,13 @@ void add_failed(std::vector<Observation>& all, const Published& p, const Audit& 
         const bool up = std::isfinite(r.effect.low);
         const double edge = up ? r.effect.low : r.effect.high;
         if (std::find(p.claimed.begin(), p.claimed.end(), r.factor) == p.claimed.end()) continue;
-        all.push_back({topic, "censored_bound_of_effect_of_" + r.factor, edge, p.unit,
-                       p.screening_table, Judgement::caution,
-                       fmt::format("if the failed heaps would have lain below {:.2f} {}, the "
-                                   "smallest that formed, least squares allows effects of {} {} "
-                                   "{:+.2f} {} only",
-                                   a.censored->bound, p.unit, r.factor, up ? "from" : "up to", edge,
-                                   p.unit)});
+        all.push_back(
+            {topic, "censored_bound_of_effect_of_" + r.factor, edge, p.unit, p.screening_table,
+             Judgement::caution,
+             fmt::format("if the failed heaps would have lain below {:.2f} {}, the "
+                         "smallest that formed, least squares allows effects of {} {} "
+                         "{:+.2f} {} only",
+                         a.bound, p.unit, r.factor, up ? "from" : "up to", edge, p.unit)});
     }
 }
 
@@ -143,7 +142,7 @@ void add_levels(std::vector<Observation>& all, const Published& p) {
     for (const auto& [letter, value] : p.confirmed_values) {
         const PublishedFactor& f = p.factor(letter);
         if (value >= f.low && value <= f.high) continue;
-        all.push_back({topic, "answer_over_high_level_of_" + letter, value / f.high, "1", "Table 5",
+        all.push_back({topic, "answer_over_high_level_of_" + letter, value / f.high, "1", "",
                        Judgement::caution,
                        fmt::format("{} was screened at {:g} and {:g} and calibrated to {:g}: the "
                                    "screening does not reach where the answer lies",
@@ -153,7 +152,7 @@ void add_levels(std::vector<Observation>& all, const Published& p) {
         const double middle = 0.5 * (f.range_low + f.range_high);
         if (!f.fixed || std::abs(f.fixed->value - middle) <= 1e-9) continue;
         all.push_back({topic, "fixed_over_middle_of_range_of_" + f.letter, f.fixed->value / middle,
-                       "1", "section 4.5.2", Judgement::fine,
+                       "1", "", Judgement::fine,
                        fmt::format("{} was fixed at {:g}, the middle of its screening levels; the "
                                    "middle of the range that was thought possible is {:g}",
                                    f.name, f.fixed->value, middle)});

@@ -106,7 +106,10 @@ data sections_data(const Page& page) {
                {"next", "what next"}};
     const bool heaps =
         page.verification && (page.verification->similarity || page.verification->sleep);
-    if (!runs_of(page).empty()) all.emplace_back("runs", heaps ? "heaps" : page.runs_heading.empty() ? "runs" : "picture");
+    if (!runs_of(page).empty())
+        all.emplace_back("runs", heaps                          ? "heaps"
+                                 : page.runs_heading.empty() ? "runs"
+                                                             : page.runs_heading.c_str());
     if (has_checks(page)) all.emplace_back("checks", "checks");
     if (!page.limits.empty()) all.emplace_back("limits", "limits");
     all.emplace_back("repeat", "repeat it");

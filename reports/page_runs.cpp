@@ -45,12 +45,13 @@ void set_table(data& d, const TextTable& table) {
 data section_data(const RunSection& s) {
     data d;
     d["name"] = s.name;
-    d["why"] = typeset(s.verdict.why);
+    d["why"] = optional_text(typeset(s.verdict.why));
     d["headline"] = s.verdict.headline;
     d["class"] = class_of(s.verdict.answer);
     data sides{data::type::list}, intervals{data::type::list};
     for (const std::string& note : s.notes) sides << data("text", typeset(note));
     d["sides"] = std::move(sides);
+    d["has_figure"] = !s.figure.svg.empty();
     d["figure"] = s.figure.svg;
     d["caption"] = s.figure.caption;
     set_table(d, s.quantities);

@@ -114,10 +114,10 @@ TEST_CASE("feasibility: the level at which runs fail is found", "[calibrate]") {
 // Truth: static friction (B) raises the angle by 8 deg, wall friction (E) by 2, the rest does
 // nothing; 22 deg in the middle, noise of 0.5 deg, twelve runs as in Niu et al. (2026), two seeds
 // each. Below 18 deg the heap runs over the edge: that is where both are low, at 17 deg. The runs
-// left at low E all have high B, so that E seems to lower the angle: by hand (22 + 1) - (22 + 4 - 1)
-// = -2 instead of +2. The runs left have rank 7 of 8, so that the censored likelihood needs a prior:
-// 4 deg on coded slopes, the largest true one. It keeps the sign and holds the truth; the prior may
-// pull the mean by some tenths.
+// left at low E all have high B, so that E seems to lower the angle: by hand (22 + 1) - (22 + 4 -
+// 1) = -2 instead of +2. The runs left have rank 7 of 8, so that the censored likelihood needs a
+// prior: 4 deg on coded slopes, the largest true one. It keeps the sign and holds the truth; the
+// prior may pull the mean by some tenths.
 TEST_CASE(
     "failed runs: dropping them flips the sign of an effect, the censored likelihood does not",
     "[calibrate][failed]") {

@@ -144,6 +144,12 @@ TEST_CASE("published: what cannot be read is refused with its place", "[calibrat
                       Catch::Contains("interpolation.slope"));
     CHECK_THROWS_WITH(read_published(changed("\"runs\": [4, 5]", "\"runs\": [4, 50]")),
                       Catch::Contains("interpolation.runs[1]"));
+    CHECK_THROWS_WITH(read_published(changed("\"claimed\": [\"B\"", "\"claimed\": [\"K\"")),
+                      Catch::Contains("factors") && Catch::Contains("\"K\""));
+    CHECK_THROWS_WITH(read_published(changed("\"letter\": \"C\"", "\"letter\": \"D\"")),
+                      Catch::Contains("must be \"C\""));
+    CHECK_THROWS_WITH(read_published(changed("[[\"0.9\", \"0.27\"], \"60.11\", \"12.00\"]", "[]")),
+                      Catch::Contains("second_ascent.rows[5]"));
 }
 
 TEST_CASE("audit: without its failed runs the screening has rank 7 of 8", "[calibrate][audit]") {
@@ -237,11 +243,11 @@ TEST_CASE("audit: findings carry the numbers that hand computing gives", "[calib
     CHECK(named("mass_of_the_simulated_grains").value == Approx(40.5e-3).margin(5e-5));
     CHECK(named("implied_grain_steps_per_second").value == Approx(5.95e8).margin(5e5));
     CHECK(named("rayleigh_time_over_original").value == Approx(200.0));
-    CHECK(named("factor_of_surface_energy_by_own_table").value == Approx(200.0));
-    CHECK(named("factor_of_gravity_by_own_table").value == Approx(1.0 / 200.0));
+    CHECK(named("factor_of_surface_energy_under_exact_scaling").value == Approx(200.0));
+    CHECK(named("factor_of_gravity_under_exact_scaling").value == Approx(1.0 / 200.0));
     CHECK(named("simulated_base_over_real").value == Approx(0.625));
     CHECK(named("outlet_over_scaled_grain").value == Approx(25.0));
-    CHECK(named("equation_30_scaled_over_original").value == Approx(4e4));
+    CHECK(named("weight_over_adhesion_scaled_over_original").value == Approx(4e4));
     CHECK(named("pull_off_in_grain_weights").value == Approx(270.0).margin(0.5));
     CHECK(named("original_surface_energies_apart").value == Approx(200.0));  // h^1 against h^2
     CHECK(named("adhesion_for_the_softened_modulus").value == Approx(0.0562).margin(5e-5));
@@ -250,4 +256,6 @@ TEST_CASE("audit: findings carry the numbers that hand computing gives", "[calib
     CHECK(named("confirmed_off_target_over_spread").value == Approx(0.2 / 0.83).margin(2e-3));
     CHECK(named("answer_over_high_level_of_G").value == Approx(9.5));
     CHECK(named("answer_over_high_level_of_B").value == Approx(2.0));
+    CHECK(std::isnan(named("walls_without_adhesion").value));
+    CHECK_THAT(named("funnel_cone_angle").text, Catch::Contains("GB/T 16913"));
 }
