@@ -47,7 +47,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS lammps)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libsimilitude-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "g++, pkg-config, libboost-dev, libeigen3-dev, libfmt-dev, libudunits2-dev, libcsv-dev, nlohmann-json3-dev")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "g++, pkg-config, libboost-dev, libeigen3-dev, libgsl-dev, libfmt-dev, libudunits2-dev, libcsv-dev, nlohmann-json3-dev")
 if(SIMILITUDE_PYTHON)
   # Where Debian's Python looks under /usr; elsewhere PYTHONPATH has to name it.
   set(python_dir lib/python3/dist-packages/similitude)
