@@ -27,7 +27,7 @@ struct Done {
 class Walk {
   public:
     Walk(const Problem& p, const PaperOptions& o, const std::vector<Run>& history)
-        : problem_(p), history_(history), target_(*p.targets.front().value) {
+        : problem_(p), options_(o), history_(history), target_(*p.targets.front().value) {
         for (std::size_t k = 0; k < p.factors.size(); ++k) {
             const Factor& f = p.factors[k];
             const bool twice = f.low > 0.0 && 2.0 * f.low < f.high;
@@ -60,6 +60,7 @@ class Walk {
     bool passes(const std::vector<Done>& list) const;
 
     const Problem& problem_;
+    const PaperOptions& options_;
     const std::vector<Run>& history_;
     double target_;
     std::vector<std::array<double, 2>> levels_;  // [factors]
@@ -242,11 +243,22 @@ void Walk::interpolate(const std::vector<Done>& grid, const std::vector<Done>& p
 
 void Walk::confirm() {
     if (!result_.answer) return say("no heap formed: there is nothing to confirm");
-    result_.confirmed = run({*result_.answer}, "confirming").front().value;
-    if (!result_.confirmed) say("the confirming run formed no heap");
+    const std::vector<VectorXd> points(static_cast<std::size_t>(options_.confirmations),
+                                       *result_.answer);
+    for (const Done& d : run(points, "confirming"))
+        if (d.value) result_.confirmed.push_back(*d.value);
+    if (result_.confirmed.size() < points.size())
+        say(fmt::format("{} of {} confirming runs formed no heap",
+                        points.size() - result_.confirmed.size(), points.size()));
 }
 
 }  // namespace
+
+int most_runs(const Problem& p, const PaperOptions& o) {
+    constexpr int ascent = 6, grid_without_its_centre = 8;
+    return plackett_burman_runs(p.factors.size()) + 2 * ascent + grid_without_its_centre +
+           o.confirmations;
+}
 
 PaperStep next(const Problem& p, const PaperOptions& o, const std::vector<Run>& history) {
     check(p, history);
@@ -254,6 +266,9 @@ PaperStep next(const Problem& p, const PaperOptions& o, const std::vector<Run>& 
         throw scaling::InvalidParameter(
             scaling::mistake("screening_levels", std::to_string(o.screening_levels.size()),
                              "must be one pair for each factor", "or none at all"));
+    if (o.confirmations < 0)
+        throw scaling::InvalidParameter(scaling::mistake(
+            "confirmations", std::to_string(o.confirmations), "must be >= 0", "0: none"));
     return Walk(p, o, history).go();
 }
 

@@ -12,7 +12,7 @@
 //                  from its neighbours on the ascent (first two columns of L9); runs there are reused
 //   5. line        between two neighbours of the 3 x 3 on both sides of the target that differ in one
 //                  factor, the pair with the smallest sum of errors; else on the ascent
-//   6. confirming run there
+//   6. confirming run there, or several
 // Runs without a heap are dropped from the effects, as the paper does. That can leave the effects
 // without a unique value (docs/calibrate-roads.md); surrogate_road.hpp keeps what they say.
 #pragma once
@@ -30,6 +30,7 @@ struct PaperOptions {
     // [factors], in their units. Empty: low end and twice the low end, or the middle of the range
     // where twice does not lie in it.
     std::vector<std::array<double, 2>> screening_levels{};
+    int confirmations = 1;  // runs, each with a fresh seed
 };
 
 struct Effect {
@@ -46,9 +47,10 @@ struct PaperResult {
     std::vector<Effect> ranking;            // largest first
     std::optional<Eigen::VectorXd> answer;  // [factors]; nothing: no heap in any run
     std::optional<Line> line;               // nothing: interpolated on the ascent, or not at all
-    std::optional<double> predicted, confirmed;  // at the answer, unit of the target
-    bool passed = false;                         // the target lies between two runs
-    std::vector<std::string> notes;              // what was dropped, what was decided and why
+    std::optional<double> predicted;        // at the answer, unit of the target
+    std::vector<double> confirmed;          // those of the confirming runs that formed a heap
+    bool passed = false;                    // the target lies between two runs
+    std::vector<std::string> notes;         // what was dropped, what was decided and why
     int runs = 0;
 };
 
@@ -56,6 +58,9 @@ struct PaperStep {
     std::vector<Request> requests;  // to be run, in any order; empty: finished
     std::optional<PaperResult> result;
 };
+
+// Runs that the road may take at most, for an estimate of the time left.
+int most_runs(const Problem&, const PaperOptions&);
 
 PaperStep next(const Problem&, const PaperOptions&, const std::vector<Run>& history);
 

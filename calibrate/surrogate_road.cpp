@@ -215,13 +215,12 @@ SurrogateResult Stand::result(std::size_t before_confirming) const {
         const auto a = then.at(j, at.transpose()), b = s.at(j, at.transpose());
         r.foretold.push_back({a.mean[0], std::sqrt(a.variance[0])});
         r.found.push_back({b.mean[0], std::sqrt(b.variance[0])});
-        double sum = 0.0;
-        int count = 0;
+        r.confirmed.emplace_back();
         for (std::size_t k = before_confirming; k < history.size(); ++k)
-            if (history[k].values) sum += (*history[k].values)[j], ++count;
-        r.confirmed.push_back(count > 0 ? std::optional(sum / count) : std::nullopt);
+            if (history[k].values) r.confirmed[j].push_back((*history[k].values)[j]);
     }
     r.dead = dead_factors(s, p);
+    r.identification = identify(s, p, at);
     r.runs = static_cast<int>(history.size());
     for (const Run& run : history) r.formed += run.values.has_value();
     r.settled = r.runs < options.budget;

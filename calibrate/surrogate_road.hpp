@@ -11,6 +11,7 @@
 // A batch is decided on by the batches before it alone.
 #pragma once
 
+#include "calibrate/identify.hpp"
 #include "calibrate/posterior.hpp"
 
 #include <optional>
@@ -40,9 +41,9 @@ struct SurrogateResult {
     std::size_t lead;  // the factor that is fixed best by the data with the others held
     std::vector<Foretold> foretold;  // [targets], by the runs before the confirming ones
     std::vector<Foretold> found;     // [targets], by all runs
-    std::vector<std::optional<double>>
-        confirmed;                  // [targets], mean of the confirming runs with a heap
+    std::vector<std::vector<double>> confirmed;  // [targets], of the confirming runs with a heap
     std::vector<std::string> dead;  // factors that move no target by its measurement's deviation
+    Identification identification;
     std::vector<std::string> notes;
     bool settled = false;  // before the budget was spent
     int runs = 0, formed = 0;

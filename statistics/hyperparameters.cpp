@@ -178,7 +178,7 @@ Hyperparameters most_probable(const Data& data, Kernel kernel, const Hyperparame
 std::vector<Hyperparameters> drawn(const Data& data, Kernel kernel,
                                    const HyperparameterPrior& prior, int count,
                                    std::uint64_t seed) {
-    constexpr int forgotten = 5, apart = 2;  // sweeps over all coordinates
+    constexpr int forgotten = 20, apart = 5;  // sweeps over all coordinates
     Posterior p = posterior_of(data, kernel, prior);
     VectorXd at = summit(p);
     double value = p.value(at);

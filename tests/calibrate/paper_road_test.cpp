@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "calibrate/paper_road.hpp"
 
-
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -52,7 +51,7 @@ TEST_CASE("paper's road: on a plane without scatter the answer is exact", "[cali
     const PaperResult r = walked(plane_problem(target), {}, plane);
     REQUIRE(r.passed);
     REQUIRE(plane(*r.answer) == Approx(target).epsilon(1e-12));
-    REQUIRE(*r.confirmed == Approx(target).epsilon(1e-12));
+    REQUIRE(r.confirmed.at(0) == Approx(target).epsilon(1e-12));
     // Levels 0.1 and 0.2: effects are slopes times 0.1.
     REQUIRE(r.ranking[0].factor == "a");
     REQUIRE(r.ranking[0].value == Approx(2.0).epsilon(1e-12));
@@ -101,7 +100,7 @@ TEST_CASE("paper's road: from the paper's tables it finds the paper's line and a
     CHECK((*r.answer)[6] == Approx(0.19).margin(0.005));
     CHECK((*r.answer)[1] == Approx(0.8).epsilon(1e-12));
     CHECK((*r.answer)[4] == Approx(0.45).epsilon(1e-12));
-    CHECK(*r.confirmed == Approx(53.87).epsilon(1e-12));
+    CHECK(r.confirmed.at(0) == Approx(53.87).epsilon(1e-12));
     // Screening 12; first ascent 4, two of them without a heap; second ascent 6; of the 3 x 3 six
     // are new; confirming run. The paper ran its first ascent to the end and counts 9 of the 3 x 3.
     CHECK(r.runs == 29);
@@ -128,9 +127,14 @@ TEST_CASE("paper's road: no heap at all gives no answer; a target out of reach t
     const PaperResult none =
         walked(plane_problem(33.0), {}, [](const VectorXd&) { return std::nullopt; });
     REQUIRE_FALSE(none.answer);
+    REQUIRE(none.confirmed.empty());
     std::vector<Run> history;
-    const PaperResult far = walked(plane_problem(80.0), {}, plane, &history);
+    PaperOptions o;
+    o.confirmations = 3;
+    const PaperResult far = walked(plane_problem(80.0), o, plane, &history);
     REQUIRE_FALSE(far.passed);
+    REQUIRE(far.confirmed.size() == 3);
+    REQUIRE(far.runs <= most_runs(plane_problem(80.0), o));
     double highest = 0.0;
     for (const Run& r : history) highest = std::max(highest, r.values->front());
     REQUIRE(plane(*far.answer) == Approx(highest).epsilon(1e-12));

@@ -17,7 +17,9 @@ struct PaperTrial {
     bool answered;  // an answer at which a heap forms
     bool passed;    // the target lay between two of its runs
 };
-PaperTrial paper_trial(const Powder&);
+// Screening levels as the paper takes them (the low end and twice that), or, `quarters`, at the first
+// quarter and the middle of each range (of its logarithm where it has one): more heaps form there.
+PaperTrial paper_trial(const Powder&, bool quarters = false);
 
 struct SurrogateTrial {
     int runs;
@@ -30,6 +32,8 @@ struct SurrogateTrial {
     // the powder lie in the 95 % region of highest posterior density.
     bool held, foretold, region;
     double held_share;  // width of the interval, of the range
+    double
+        known_share;  // the same for one who knows the powder's formula: what the measurement leaves
 };
 SurrogateTrial surrogate_trial(const Powder&, const calibrate::SurrogateOptions&);
 
