@@ -23,6 +23,7 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 
 namespace app {
 
@@ -34,9 +35,7 @@ using calibrate::Run;
 using scaling::InvalidInput;
 using scaling::mistake;
 
-constexpr int runs_of_paper_road = 34;
 constexpr double longest_unasked = 12.0 * 3600.0;  // s: a night
-constexpr std::uint64_t fresh_from = 1'000'000;  // seeds of confirming heaps, after the campaign's
 
 const cases::Experiment& pile_of(const cases::Case& c, const std::string& id) {
     std::vector<std::string> piles;
@@ -76,33 +75,31 @@ class Campaign {
             for (Run& run : poured(asked)) result_.history.push_back(std::move(run));
             write_runs();
         }
-        if (const auto answer = result_.answer()) {
-            std::vector<Request> fresh;
-            for (int k = 0; k < options_.confirm; ++k)
-                fresh.push_back({*answer,
-                                 options_.common.seed + fresh_from + static_cast<unsigned>(k),
-                                 "fresh"});
-            result_.fresh = poured(fresh);
-            write_runs();
-        }
+        for (const auto& [criterion, heaps] : missed_)
+            result_.pile.notes.push_back(fmt::format("{} of {} heaps fail at: {}", heaps,
+                                                     result_.history.size(),
+                                                     reports::words(criterion)));
         return std::move(result_);
     }
 
   private:
     bool paper() const { return options_.road == "paper"; }
-    int budget() const { return paper() ? runs_of_paper_road : options_.budget; }
+    calibrate::PaperOptions paper_options() const { return {.confirmations = options_.confirm}; }
+    int most_runs() const {
+        return paper() ? calibrate::most_runs(result_.pile.problem, paper_options())
+                       : options_.budget + options_.confirm;
+    }
 
     // What the road wants next; nothing once it has its answer.
     std::vector<Request> next() {
         const calibrate::Problem& p = result_.pile.problem;
         if (paper()) {
-            calibrate::PaperStep step =
-                calibrate::next(p, calibrate::PaperOptions{}, result_.history);
+            calibrate::PaperStep step = calibrate::next(p, paper_options(), result_.history);
             result_.paper = step.result;
             return step.requests;
         }
         calibrate::SurrogateStep step = calibrate::next(
-            p, calibrate::SurrogateOptions{.budget = options_.budget, .batch = options_.batch},
+            p, {.budget = most_runs(), .batch = options_.batch, .confirmations = options_.confirm},
             result_.history);
         result_.surrogate = step.result;
         return step.requests;
@@ -120,19 +117,19 @@ class Campaign {
         if (options_.yes) return;
         const double work = static_cast<double>(one.feed_time.size()) *
                             static_cast<double>(rigs::expected_steps(one));
-        const double seconds = work / measured_speed(1) * (budget() + options_.confirm) / threads();
+        const double seconds = work / measured_speed(1) * most_runs() / threads();
         if (seconds > longest_unasked)
             throw InvalidInput(mistake(
                 "experiment " + cases::in_quotes(pile_.id),
-                fmt::format("{} heaps, about {} on this machine", budget() + options_.confirm,
+                fmt::format("{} heaps, about {} on this machine", most_runs(),
                             reports::quantity(seconds, "s")),
                 "must not need more than 12 h unasked",
                 "take fewer or larger grains (similitude scale), fewer runs, or say --yes"));
     }
 
     verify::Campaign side_by_side() {
-        const double before = static_cast<double>(result_.history.size() + result_.fresh.size());
-        const double all = budget() + options_.confirm;
+        const double before = static_cast<double>(result_.history.size());
+        const double all = most_runs();
         return {.threads = threads(),
                 .remembered_in = remembered_,
                 .progress =
@@ -152,7 +149,8 @@ class Campaign {
         asked_ = static_cast<double>(jobs.size());
         std::vector<Run> runs;
         const double density = case_.grain.density.value.value();
-        for (const verify::PileSample& s : verify::run_piles(jobs, side_by_side()))
+        for (const verify::PileSample& s : verify::run_piles(jobs, side_by_side())) {
+            for (const std::string& criterion : s.missed) ++missed_[criterion];
             runs.push_back(
                 {asked[runs.size()], calibrate::values_of(result_.pile,
                                                           {.formed = s.formed,
@@ -160,6 +158,7 @@ class Campaign {
                                                            .angles = s.angles_deg,
                                                            .packing_fraction = s.packing_fraction},
                                                           density)});
+        }
         return runs;
     }
 
@@ -169,17 +168,16 @@ class Campaign {
         std::vector<cases::Column> columns;
         for (const calibrate::Factor& f : p.factors) columns.push_back({f.name, f.unit});
         for (const calibrate::Target& t : p.targets) columns.push_back({t.name, t.unit});
-        for (const std::vector<Run>* runs : {&result_.history, &result_.fresh})
-            for (const Run& run : *runs) {
-                seed.values.push_back(static_cast<double>(run.request.seed));
-                stage.words.push_back(run.request.stage);
-                formed.values.push_back(run.values ? 1.0 : 0.0);
-                for (std::size_t k = 0; k < p.factors.size(); ++k)
-                    columns[k].values.push_back(run.request.point[static_cast<Eigen::Index>(k)]);
-                for (std::size_t k = 0; k < p.targets.size(); ++k)
-                    columns[p.factors.size() + k].values.push_back(run.values ? (*run.values)[k]
-                                                                              : std::nan(""));
-            }
+        for (const Run& run : result_.history) {
+            seed.values.push_back(static_cast<double>(run.request.seed));
+            stage.words.push_back(run.request.stage);
+            formed.values.push_back(run.values ? 1.0 : 0.0);
+            for (std::size_t k = 0; k < p.factors.size(); ++k)
+                columns[k].values.push_back(run.request.point[static_cast<Eigen::Index>(k)]);
+            for (std::size_t k = 0; k < p.targets.size(); ++k)
+                columns[p.factors.size() + k].values.push_back(run.values ? (*run.values)[k]
+                                                                          : std::nan(""));
+        }
         columns.insert(columns.begin(), {stage, seed, formed});
         cases::write_csv((std::filesystem::path(options_.out) / "runs.csv").string(), columns);
     }
@@ -190,7 +188,8 @@ class Campaign {
     Progress progress_;
     std::filesystem::path remembered_;
     Calibration result_{};
-    double asked_ = 1.0;  // heaps of the batch that is being poured
+    std::map<std::string, int> missed_;  // criterion of a heap, how many failed at it
+    double asked_ = 1.0;                 // heaps of the batch that is being poured
 };
 
 }  // namespace
@@ -201,13 +200,14 @@ void add_campaign_options(CLI::App& verb, CampaignOptions& o) {
     verb.add_option("--road", o.road, "surrogate, or paper (Niu et al. 2026)")
         ->type_name("ROAD")
         ->capture_default_str();
-    verb.add_option("--budget", o.budget, "heaps that the surrogate's road may pour")
+    verb.add_option("--budget", o.budget,
+                    "heaps that the surrogate's road may pour on its way to the answer")
         ->check(CLI::Range(4, 100'000))
         ->capture_default_str();
     verb.add_option("--batch", o.batch, "of these so many are decided on together")
         ->check(CLI::Range(1, 1000))
         ->capture_default_str();
-    verb.add_option("--confirm", o.confirm, "heaps of fresh seeds at the answer, beyond the budget")
+    verb.add_option("--confirm", o.confirm, "heaps of fresh seeds at the answer, on top")
         ->check(CLI::Range(0, 100'000))
         ->capture_default_str();
     verb.add_option("--estimator", o.estimator,

@@ -16,7 +16,7 @@ struct CampaignOptions {
     int budget = 34;  // runs of the surrogate's road; the paper's road makes those that it has
     int batch =
         2;  // runs that the surrogate's road decides on together; not the number of threads: that changes no answer
-    int confirm = 6;  // heaps of fresh seeds at the answer, beyond the budget
+    int confirm = 6;  // heaps of fresh seeds at the answer, on top
 };
 
 // All but CASE and the common ones.

@@ -24,8 +24,15 @@ std::optional<Eigen::VectorXd> Calibration::answer() const {
     return paper ? paper->answer : std::nullopt;
 }
 
+std::vector<Run> Calibration::confirming() const {
+    std::vector<Run> runs;
+    for (const Run& run : history)
+        if (run.request.stage == "confirming") runs.push_back(run);
+    return runs;
+}
+
 std::optional<Confirmation> confirmed(const Calibration& c, std::size_t target) {
-    const std::vector<double> found = values(c.fresh, target);
+    const std::vector<double> found = values(c.confirming(), target);
     const Target& t = c.pile.problem.targets.at(target);
     if (found.empty() || !t.value) return std::nullopt;
     if (found.size() == 1)

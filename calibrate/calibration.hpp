@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A calibration against heaps that has ended: the runs, the road's answer, and heaps of fresh seeds at that answer.
+// A calibration against heaps that has ended: the runs, the road's answer, and what its confirming heaps say.
 #pragma once
 
 #include "calibrate/paper_road.hpp"
@@ -14,15 +14,15 @@ namespace calibrate {
 
 struct Calibration {
     PileProblem pile;
-    std::vector<Run> history;  // of the road, by seed
+    std::vector<Run> history;  // of the road
     std::optional<PaperResult> paper;
-    std::optional<SurrogateResult> surrogate;  // at most one of the two
-    std::vector<Run> fresh;                    // at the answer, beyond the road's budget
+    std::optional<SurrogateResult> surrogate;  // one of the two
 
+    std::vector<Run> confirming() const;            // at the answer, with fresh seeds
     std::optional<Eigen::VectorXd> answer() const;  // [factors]; nothing where no heap formed
 };
 
-// What fresh heaps say of a target.
+// What confirming heaps say of a target.
 struct Confirmation {
     std::size_t heaps;                             // that formed
     double mean;                                   // unit of the target
@@ -30,10 +30,10 @@ struct Confirmation {
     bool agrees;  // their mean is that measured, within 1.96 joint deviations of the two means
 };
 
-// Of a measured target; nothing where no fresh heap formed.
+// Of a measured target; nothing where no confirming heap formed.
 std::optional<Confirmation> confirmed(const Calibration&, std::size_t target);
 
-// Where all measured targets are met by fresh heaps.
+// Where all measured targets are met by the confirming heaps.
 bool holds(const Calibration&);
 
 // A target along one factor, the others as in the answer, by the surrogate of all runs.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "reports/road.hpp"
 
-#include "reports/road_figures.hpp"
 #include "reports/numbers.hpp"
+#include "reports/road_figures.hpp"
 #include "reports/text.hpp"
 
 #include <fmt/format.h>
@@ -98,9 +98,9 @@ std::size_t formed(const std::vector<Run>& runs) {
 }
 
 std::vector<std::string> notes_of(const Calibration& c) {
-    std::vector<std::string> notes{
-        fmt::format("{} heaps poured, {} formed; {} of {} formed at the answer with fresh seeds",
-                    c.history.size(), formed(c.history), formed(c.fresh), c.fresh.size())};
+    std::vector<std::string> notes{fmt::format(
+        "{} heaps poured, {} formed; of these {} of {} at the answer with fresh seeds",
+        c.history.size(), formed(c.history), formed(c.confirming()), c.confirming().size())};
     notes.insert(notes.end(), c.pile.notes.begin(), c.pile.notes.end());
     const std::vector<std::string>& of_road = c.surrogate ? c.surrogate->notes
                                               : c.paper   ? c.paper->notes
@@ -114,6 +114,10 @@ std::vector<std::string> notes_of(const Calibration& c) {
     for (const std::string& name : c.surrogate->dead)
         notes.push_back("moves no target by as much as its measurement is uncertain: " +
                         words(name));
+    for (const calibrate::Trade& trade : c.surrogate->identification.trades)
+        notes.push_back("a trade that leaves the targets where they are: " + trade.words);
+    for (const calibrate::Offer& offer : c.surrogate->identification.offers)
+        notes.push_back("a further measurement: " + offer.words);
     return notes;
 }
 
@@ -134,7 +138,14 @@ Json json_of(const calibrate::SurrogateResult& r) {
     for (const auto& i : r.free) free.push_back(pair(i));
     for (const auto& i : r.held) held.push_back(pair(i));
     for (const auto& f : r.foretold) before.push_back({f.mean, f.standard_deviation});
-    return {{"interval_others_free", free},
+    Json trades = Json::array(), offers = Json::array();
+    for (const calibrate::Trade& t : r.identification.trades)
+        trades.push_back({{"factor", t.factor}, {"step", t.step}, {"with", t.with}, {"by", t.by}});
+    for (const calibrate::Offer& o : r.identification.offers)
+        offers.push_back({{"target", o.target}, {"bits", o.bits}, {"shrinkage", o.shrinkage}});
+    return {{"trades", trades},
+            {"further_measurements", offers},
+            {"interval_others_free", free},
             {"interval_others_held", held},
             {"foretold", before},
             {"probability_of_a_heap", r.forms},
@@ -154,7 +165,6 @@ Json json_of(const calibrate::PaperResult& r) {
     return {{"ranking", ranking},
             {"line", line},
             {"predicted", r.predicted ? Json(*r.predicted) : Json(nullptr)},
-            {"confirmed", r.confirmed ? Json(*r.confirmed) : Json(nullptr)},
             {"target_passed", r.passed},
             {"notes", r.notes}};
 }
@@ -173,7 +183,7 @@ Json to_json(const Calibration& c) {
                            {"standard_deviation", t.standard_deviation}});
         const auto there = calibrate::confirmed(c, k);
         if (!there) continue;
-        targets.back()["fresh"] = {
+        targets.back()["confirmed"] = {
             {"heaps", there->heaps},
             {"mean", there->mean},
             {"interval_95",
@@ -193,7 +203,6 @@ Json to_json(const Calibration& c) {
     if (c.paper) json["paper"] = json_of(*c.paper);
     json["notes"] = c.pile.notes;
     json["runs"] = json_of(c.history);
-    json["fresh"] = json_of(c.fresh);
     return json;
 }
 
@@ -206,12 +215,12 @@ Verdict verdict_of(const Calibration& c) {
     for (std::size_t k = 0; k < targets.size(); ++k) {
         if (!targets[k].value) continue;
         const auto there = calibrate::confirmed(c, k);
-        why += fmt::format(
-            "{}{}: measured {} +- {} {}, {}", why.empty() ? "" : "; ", words(targets[k].name),
-            number(*targets[k].value), number(targets[k].standard_deviation), targets[k].unit,
-            there
-                ? fmt::format("{} fresh heaps at the answer {}", there->heaps, number(there->mean))
-                : "no fresh heap formed");
+        why += fmt::format("{}{}: measured {} +- {} {}, {}", why.empty() ? "" : "; ",
+                           words(targets[k].name), number(*targets[k].value),
+                           number(targets[k].standard_deviation), targets[k].unit,
+                           there ? fmt::format("{} fresh heaps at the answer have {}", there->heaps,
+                                               number(there->mean))
+                                 : "no fresh heap formed");
     }
     return calibrate::holds(c) ? Verdict{Answer::yes, "Fresh heaps meet what was measured", why}
                                : Verdict{Answer::no, "Fresh heaps miss what was measured", why};

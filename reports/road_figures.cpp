@@ -80,7 +80,7 @@ Figure confirmation_figure(const Calibration& c) {
         {"measured", *t.value, *t.value - wide, *t.value + wide, c.pile.angles, 0}};
     if (const auto there = calibrate::confirmed(c, 0)) {
         std::vector<double> heaps;
-        for (const Run& run : c.fresh)
+        for (const Run& run : c.confirming())
             if (run.values) heaps.push_back(run.values->front());
         rows.push_back({"fresh heaps", there->mean,
                         there->interval ? there->interval->low : there->mean,

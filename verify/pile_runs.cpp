@@ -75,6 +75,8 @@ PileSample sample_of(const rigs::PileRun& run, const PileJob& job, double second
     sample.seed = job.seed;
     sample.formed = record.formed.formed;
     sample.at_rest = record.at_rest;
+    for (const rigs::Criterion& c : record.formed.criteria)
+        if (!c.pass) sample.missed.push_back(c.name);
     constexpr double degree = std::numbers::pi / 180.0;
     for (std::size_t k = 0; k < record.angles.size(); ++k) {
         if (const auto& angle = record.angles[k].second)
@@ -117,7 +119,8 @@ std::string to_text(const PileSample& s) {
                      s.slept_while_fed});
     line("profile_r", s.profile_r);
     line("profile_z", s.profile_z);
-    text += fmt::format("hash {}\nend\n", s.hash);
+    text += fmt::format("missed {} {}\nhash {}\nend\n", s.missed.size(), fmt::join(s.missed, " "),
+                        s.hash);
     return text;
 }
 
@@ -149,6 +152,10 @@ std::optional<PileSample> remembered(const PileJob& job, const std::filesystem::
     s.profile_r = line("profile_r");
     s.profile_z = line("profile_z");
     std::string word, end;
+    std::size_t missed = 0;
+    in >> word >> missed;
+    for (std::size_t k = 0; in && k < missed && missed < 100; ++k)
+        in >> word, s.missed.push_back(word);
     in >> word >> s.hash >> end;
     if (!in || end != "end" || flags.size() != 2 || numbers.size() != 7 ||
         angles.size() != s.angles_deg.size())

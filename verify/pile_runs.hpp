@@ -29,6 +29,7 @@ struct PileSample {
     std::string name;
     std::uint64_t seed = 0;
     bool formed = false, at_rest = false;
+    std::vector<std::string> missed;  // names of the criteria of a heap that it does not meet
     std::optional<double> angle_deg;  // two_h_over_d
     // In the order of rigs::computed_estimators.
     std::array<std::optional<double>, rigs::computed_estimators.size()> angles_deg;
