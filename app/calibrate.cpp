@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "app/calibrate.hpp"
 
+#include "app/calibrate_campaign.hpp"
 #include "app/exit_code.hpp"
 #include "app/scale_input.hpp"
 #include "calibrate/observations.hpp"
 #include "cases/read_case.hpp"
 #include "reports/calibration.hpp"
-#include "scaling/errors.hpp"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -18,23 +18,21 @@ namespace app {
 namespace {
 
 struct CalibrateOptions {
-    CommonOptions common;
-    std::string path;
+    CampaignOptions campaign;
     bool replay = false;
 };
 
 constexpr const char* examples = R"(Examples:
+  similitude calibrate my-powder --out out/calibration --report out/calibration.html
+      heaps are poured until the case's free parameters give its recorded angle of repose; with
+      --resume it goes on after an interrupt, and no heap that had come to rest is lost
+  similitude calibrate my-powder --road paper --out out/paper
+      as the paper does it: screening, steepest ascent, 3 x 3, a line
   similitude calibrate data/zirconia/case.json --replay --report out/replay.html
-      the paper's calibration computed again from its own runs, and what they can carry
-  similitude calibrate data/zirconia/case.json --replay --json - --quiet
-      every printed number beside the recomputed one; exit code 3 where one differs or the ranking
-      cannot be concluded)";
+      the paper's calibration computed again from its own runs, and what they can carry; exit
+      code 3 where a printed number differs or the ranking cannot be concluded)";
 
-int run(const CalibrateOptions& o, const std::string& command) {
-    if (!o.replay)
-        throw scaling::InvalidInput(
-            scaling::mistake("calibrate", "no --replay", "must say what to do",
-                             "--replay audits the calibration in published.json beside the case"));
+int replay(const CampaignOptions& o, const std::string& command) {
     const cases::Case c = cases::read_case(o.path);
     const calibrate::Replayed r = calibrate::replayed(c, scale_input(c, {}));
     const reports::Provenance who = provenance(command, o.path);
@@ -49,14 +47,18 @@ int run(const CalibrateOptions& o, const std::string& command) {
 
 Verb calibrate_verb(CLI::App& app, const std::string& command) {
     const auto options = std::make_shared<CalibrateOptions>();
-    CLI::App* verb =
-        app.add_subcommand("calibrate", "a published calibration, replayed and audited");
-    verb->add_option("CASE", options->path, "case.json or its folder")->required();
+    CLI::App* verb = app.add_subcommand(
+        "calibrate", "free parameters from recorded heaps; a published calibration audited");
+    verb->add_option("CASE", options->campaign.path, "case.json or its folder")->required();
     verb->add_flag("--replay", options->replay,
-                   "compute published.json beside the case again and audit it");
-    add_common(*verb, options->common);
+                   "pour nothing: compute published.json beside the case again and audit it");
+    add_campaign_options(*verb, options->campaign);
+    add_common(*verb, options->campaign.common);
     verb->footer(examples);
-    return {verb, [options, command] { return run(*options, command); }};
+    return {verb, [options, command] {
+                return options->replay ? replay(options->campaign, command)
+                                       : calibrate_campaign(options->campaign, command);
+            }};
 }
 
 }  // namespace app

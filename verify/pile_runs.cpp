@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <mutex>
@@ -61,6 +62,12 @@ std::uint64_t fnv1a(const std::string& text) {
     return state;
 }
 
+std::optional<double> two_h_over_d(const PileSample& s) {
+    for (std::size_t k = 0; k < s.angles_deg.size(); ++k)
+        if (rigs::computed_estimators[k] == rigs::Estimator::two_h_over_d) return s.angles_deg[k];
+    return std::nullopt;
+}
+
 PileSample sample_of(const rigs::PileRun& run, const PileJob& job, double seconds) {
     const rigs::PileRecord record = rigs::record(run, job.setup);
     PileSample sample;
@@ -68,10 +75,14 @@ PileSample sample_of(const rigs::PileRun& run, const PileJob& job, double second
     sample.seed = job.seed;
     sample.formed = record.formed.formed;
     sample.at_rest = record.at_rest;
+    for (const rigs::Criterion& c : record.formed.criteria)
+        if (!c.pass) sample.missed.push_back(c.name);
     constexpr double degree = std::numbers::pi / 180.0;
-    for (const auto& [estimator, angle] : record.angles)
-        if (estimator == rigs::Estimator::two_h_over_d && angle)
-            sample.angle_deg = angle->angle / degree;
+    for (std::size_t k = 0; k < record.angles.size(); ++k) {
+        if (const auto& angle = record.angles[k].second)
+            sample.angles_deg.at(k) = angle->angle / degree;
+    }
+    sample.angle_deg = two_h_over_d(sample);
     sample.packing_fraction = record.packing_fraction;
     sample.coordination = record.coordination;
     sample.grains_on_base = static_cast<double>(record.heap.radius.size());
@@ -100,13 +111,16 @@ std::string to_text(const PileSample& s) {
         return value ? std::vector{*value} : std::vector<double>{};
     };
     line("flags", {s.formed ? 1.0 : 0.0, s.at_rest ? 1.0 : 0.0});
-    line("angle_deg", optional(s.angle_deg));
+    std::vector<double> angles;
+    for (const std::optional<double>& angle : s.angles_deg) angles.push_back(angle.value_or(NAN));
+    line("angles_deg", angles);
     line("packing_fraction", optional(s.packing_fraction));
     line("numbers", {s.coordination, s.grains_on_base, s.grains_lost, s.steps, s.seconds, s.slept,
                      s.slept_while_fed});
     line("profile_r", s.profile_r);
     line("profile_z", s.profile_z);
-    text += fmt::format("hash {}\nend\n", s.hash);
+    text += fmt::format("missed {} {}\nhash {}\nend\n", s.missed.size(), fmt::join(s.missed, " "),
+                        s.hash);
     return text;
 }
 
@@ -132,14 +146,23 @@ std::optional<PileSample> remembered(const PileJob& job, const std::filesystem::
         return values.empty() ? std::optional<double>{} : std::optional<double>{values[0]};
     };
     const std::vector<double> flags = line("flags");
-    s.angle_deg = optional(line("angle_deg"));
+    const std::vector<double> angles = line("angles_deg");
     s.packing_fraction = optional(line("packing_fraction"));
     const std::vector<double> numbers = line("numbers");
     s.profile_r = line("profile_r");
     s.profile_z = line("profile_z");
     std::string word, end;
+    std::size_t missed = 0;
+    in >> word >> missed;
+    for (std::size_t k = 0; in && k < missed && missed < 100; ++k)
+        in >> word, s.missed.push_back(word);
     in >> word >> s.hash >> end;
-    if (!in || end != "end" || flags.size() != 2 || numbers.size() != 7) return {};
+    if (!in || end != "end" || flags.size() != 2 || numbers.size() != 7 ||
+        angles.size() != s.angles_deg.size())
+        return {};
+    for (std::size_t k = 0; k < angles.size(); ++k)
+        if (std::isfinite(angles[k])) s.angles_deg[k] = angles[k];
+    s.angle_deg = two_h_over_d(s);
     s.formed = flags[0] != 0.0, s.at_rest = flags[1] != 0.0;
     s.coordination = numbers[0], s.grains_on_base = numbers[1], s.grains_lost = numbers[2];
     s.steps = numbers[3], s.seconds = numbers[4];

@@ -5,6 +5,7 @@
 
 #include "rigs/pile.hpp"
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <filesystem>
@@ -28,7 +29,10 @@ struct PileSample {
     std::string name;
     std::uint64_t seed = 0;
     bool formed = false, at_rest = false;
+    std::vector<std::string> missed;  // names of the criteria of a heap that it does not meet
     std::optional<double> angle_deg;  // two_h_over_d
+    // In the order of rigs::computed_estimators.
+    std::array<std::optional<double>, rigs::computed_estimators.size()> angles_deg;
     std::optional<double> packing_fraction;
     double coordination = 0.0;
     double grains_on_base = 0.0, grains_lost = 0.0, steps = 0.0, seconds = 0.0;

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: MIT
+#include "calibrate/pile_problem.hpp"
+
+#include "cases/messages.hpp"
+#include "scaling/errors.hpp"
+#include "statistics/intervals.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace calibrate {
+namespace {
+
+using rigs::Estimator;
+using scaling::InvalidInput;
+using scaling::mistake;
+
+constexpr double degree = std::numbers::pi / 180.0;
+constexpr double density_trusted_to = 0.05;
+constexpr double decade = 10.0;
+
+std::vector<Factor> free_parameters(const cases::Case& c) {
+    std::vector<Factor> factors;
+    for (const auto& [name, parameter] : c.model.parameters) {
+        if (!parameter.range) continue;
+        const auto [low, high] = *parameter.range;
+        factors.push_back({name, parameter.unit, low, high, low > 0.0 && high >= decade * low});
+    }
+    if (factors.empty())
+        throw InvalidInput(mistake(c.path + ": model.parameters", "none with a range",
+                                   "must hold one to calibrate",
+                                   "write {\"value\": 0.5, \"range\": [0.2, 0.8]}"));
+    return factors;
+}
+
+std::string estimator_of_row(const cases::Experiment& e, std::size_t row) {
+    return e.recording->has("estimator") ? e.recording->column("estimator").words.at(row)
+                                         : e.conditions.at("estimator").text();
+}
+
+// The recorded angles by one estimator; `name` is filled in where it is empty.
+std::vector<double> recorded_angles(const cases::Case& c, const cases::Experiment& e,
+                                    std::string& name) {
+    const std::string where = c.path + ": experiments " + cases::in_quotes(e.id) + ".recording";
+    if (!e.recording || !e.recording->has("angle_of_repose"))
+        throw InvalidInput(mistake(where, e.recording ? "no angle of repose" : "nothing",
+                                   "must hold angle_of_repose to calibrate against",
+                                   "photo and measure read it off pictures and grains"));
+    const std::vector<double>& all = e.recording->values("angle_of_repose");
+    std::vector<double> angles;
+    std::vector<std::string> known;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+        const std::string by = estimator_of_row(e, k);
+        if (std::find(known.begin(), known.end(), by) == known.end()) known.push_back(by);
+        if (name.empty()) name = by;
+        if (by == name && std::isfinite(all[k])) angles.push_back(all[k] / degree);
+    }
+    if (angles.empty())
+        throw InvalidInput(mistake("--estimator", cases::in_quotes(name),
+                                   "must be one that the recording has",
+                                   cases::suggestion(name, known)));
+    return angles;
+}
+
+double deviation_of_mean(const cases::Case& c, const cases::Experiment& e,
+                         const std::vector<double>& angles) {
+    double one = 0.0;
+    if (const auto noise = e.noise.find("angle_of_repose"); noise != e.noise.end())
+        one = noise->second / degree;
+    if (angles.size() > 1) one = std::max(one, statistics::summary(angles).standard_deviation);
+    if (!(one > 0.0))
+        throw InvalidInput(
+            mistake(c.path + ": experiments " + cases::in_quotes(e.id) + ".noise",
+                    "no deviation of the angle of repose", "must be > 0",
+                    "record several heaps, or state \"noise\": {\"angle_of_repose\": \"2 deg\"}"));
+    return one / std::sqrt(static_cast<double>(angles.size()));
+}
+
+// Where it is not asked for, it tells what such a measurement would fix.
+Target bulk_density(const cases::Case& c, bool asked) {
+    const double stated = c.stated.bulk_density->value();
+    return {"bulk_density", "kg/m^3", asked ? std::optional(stated) : std::nullopt,
+            density_trusted_to * stated};
+}
+
+}  // namespace
+
+PileProblem pile_problem(const cases::Case& c, const cases::Experiment& e, const PileOptions& o,
+                         std::uint64_t seed) {
+    PileProblem p{};
+    p.experiment = e.id;
+    p.problem.seed = seed;
+    p.problem.factors = free_parameters(c);
+    std::string name = o.estimator;
+    p.angles = recorded_angles(c, e, name);
+    p.estimator = *rigs::estimator_named(name);
+    if (p.estimator == Estimator::protractor) {
+        p.estimator = Estimator::silhouette;
+        p.notes.emplace_back(
+            "recorded by protractor on a picture; simulated heaps are read by their silhouette");
+    }
+    double mean = 0.0;
+    for (const double angle : p.angles) mean += angle / static_cast<double>(p.angles.size());
+    p.problem.targets = {{"angle_of_repose", "deg", mean, deviation_of_mean(c, e, p.angles)}};
+    if (o.bulk_density && !c.stated.bulk_density)
+        throw InvalidInput(mistake(c.path + ": stated.bulk_density", "nothing",
+                                   "must be given to calibrate against it",
+                                   "write \"2.05 g/cm^3\", or leave --bulk-density out"));
+    if (c.stated.bulk_density) p.problem.targets.push_back(bulk_density(c, o.bulk_density));
+    if (o.bulk_density)
+        p.notes.emplace_back(
+            "the stated bulk density is trusted to 5 % and held against the inside of the heap");
+    return p;
+}
+
+cases::Case at_point(const cases::Case& c, const Problem& p, const Eigen::VectorXd& point) {
+    cases::Case there = c;
+    for (std::size_t k = 0; k < p.factors.size(); ++k) {
+        cases::Parameter& parameter = there.model.parameters.at(p.factors[k].name);
+        parameter.value = point[static_cast<Eigen::Index>(k)];
+        parameter.range.reset();
+    }
+    return there;
+}
+
+std::optional<std::vector<double>> values_of(const PileProblem& p, const HeapSeen& heap,
+                                             double density) {
+    const auto* at =
+        std::find(rigs::computed_estimators.begin(), rigs::computed_estimators.end(), p.estimator);
+    const auto& angle =
+        heap.angles[static_cast<std::size_t>(at - rigs::computed_estimators.begin())];
+    if (!heap.formed || !heap.at_rest || !angle) return std::nullopt;
+    std::vector<double> values{*angle};
+    if (p.problem.targets.size() > 1) {
+        if (!heap.packing_fraction) return std::nullopt;
+        values.push_back(*heap.packing_fraction * density);
+    }
+    return values;
+}
+
+}  // namespace calibrate
