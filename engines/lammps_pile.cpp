@@ -4,18 +4,13 @@
 #include "engines/bed_lammps.hpp"
 #include "engines/lammps_files.hpp"
 #include "engines/lammps_run.hpp"
-#include "engines/process.hpp"
 #include "scaling/errors.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <limits>
 #include <numbers>
-#include <sstream>
-#include <stdexcept>
 
 namespace engines {
 namespace {
@@ -53,10 +48,6 @@ void refuse_what_lammps_has_not(const PileSetup& s, const std::string& option) {
     if (c.funnel || !c.meshes.empty()) refuse(option, "is told of no funnel and no mesh", ours);
     if (s.sleep_speed > 0.0) refuse(option, "does not sleep", "leave --sleep out");
     refuse_restitution(s.grains.restitution, option);
-}
-
-double density_of(const PileSetup& s) {
-    return s.materials.density.empty() ? s.density : s.materials.density.front();
 }
 
 // How far a grain that appeared at `since` has fallen at `t`.
@@ -141,7 +132,7 @@ std::string batch_text(const PileSetup& s, const FeedBatch& batch, const std::ve
                           {0.0, 0.0, -s.gravity * (read - s.feed_time[k])},
                           {},
                           s.radius[k],
-                          density_of(s)});
+                          loose_density(s)});
     return added_data(grains, box_of(s));
 }
 
@@ -265,16 +256,6 @@ write_data final.data nocoeff
                        fmt::arg("still", steps_in(s, s.rest_duration)));
 }
 
-bool read_progress(const std::string& line, LammpsProgress& p) {
-    long long step = 0, grains = 0;
-    double kinetic = 0.0, heap = 0.0, any = 0.0;
-    if (std::sscanf(line.c_str(), " %lld %lld %lf %lf %lf", &step, &grains, &kinetic, &heap,
-                    &any) != 5)
-        return false;
-    p = {step, grains, kinetic};
-    return true;
-}
-
 }  // namespace
 
 std::string granular_arguments(const rigs::ContactParameters& c) {
@@ -312,6 +293,10 @@ void refuse_restitution(double restitution, const std::string& option) {
                "take a higher restitution, or leave the option out");
 }
 
+double loose_density(const PileSetup& s) {
+    return s.materials.density.empty() ? s.density : s.materials.density.front();
+}
+
 LammpsDeck lammps_pile(const PileSetup& s, const std::string& option) {
     refuse_what_lammps_has_not(s, option);
     const std::vector<FeedBatch> batches = feed_batches(s);
@@ -333,78 +318,6 @@ void write_lammps_deck(const LammpsDeck& d, const std::filesystem::path& folder)
     std::filesystem::create_directories(folder / "feed");
     write_text(folder / "deck.in", d.deck);
     for (const auto& [name, text] : d.files) write_text(folder / name, text);
-}
-
-std::vector<std::string> lammps_pile_command(const std::string& lmp, int ranks) {
-    std::vector<std::string> argv = ranks > 1 ? mpirun(ranks) : std::vector<std::string>{};
-    for (const std::string& word : {lmp, std::string("-in"), std::string("deck.in"),
-                                    std::string("-log"), std::string("log.lammps")})
-        argv.push_back(word);
-    return argv;
-}
-
-rigs::PileRecord read_lammps_pile(const PileSetup& setup, const std::filesystem::path& folder,
-                                  const std::string& output) {
-    const FinalGrains last = read_final_grains(folder, density_of(setup), "c_touching");
-    rigs::PileRun run = rigs::begin_pile(setup, 1);
-    dem_min::Simulation& s = run.simulation;
-    double contacts = 0.0;
-    std::int64_t loose = 0;
-    for (std::size_t k = 0; k < last.grains.size(); ++k) {
-        if (last.grains[k].fixed) continue;
-        dem_min::insert(s, last.grains[k]);
-        contacts += last.extra[k];
-        ++loose;
-    }
-    run.fed = setup.feed_time.size();
-    run.finished = true;
-    run.at_rest = output.find("similitude: at rest at step") != std::string::npos;
-    s.steps = last.step;
-    s.past.grains_lost = static_cast<std::int64_t>(run.fed) - loose;
-    LammpsProgress now, before;
-    std::istringstream lines(output);
-    for (std::string line; std::getline(lines, line);)
-        if (read_progress(line, now)) {
-            s.past.grain_steps += before.grains * (now.step - before.step);
-            before = now;
-        }
-    rigs::PileRecord record = rigs::record(run, setup);
-    record.coordination = loose > 0 ? contacts / static_cast<double>(loose) : 0.0;
-    if (sticky(setup.grains))
-        record.notes.emplace_back(
-            "coordination counts grains that touch: LAMMPS does not tell of necks that are "
-            "stretched");
-    return record;
-}
-
-LammpsPileRun run_lammps_pile(const std::filesystem::path& lmp, const PileSetup& setup,
-                              const std::filesystem::path& folder, int ranks,
-                              const std::function<void(const LammpsProgress&)>& show) {
-    LammpsPileRun result{};
-    result.command = lammps_pile_command(lmp.string(), ranks);
-    std::size_t read = 0;
-    const auto watch = [&](const std::string& out) {
-        LammpsProgress last;
-        bool any = false;
-        for (std::size_t end; (end = out.find('\n', read)) != std::string::npos; read = end + 1)
-            any = read_progress(out.substr(read, end - read), last) || any;
-        if (any && show) show(last);
-    };
-    const Finished f = run(result.command, folder, std::numeric_limits<double>::infinity(), watch);
-    result.seconds = f.seconds;
-    result.release = lammps_release(f.out.substr(std::min(f.out.find("LAMMPS ("), f.out.size())));
-    const bool whole = f.out.find("similitude: at rest at step") != std::string::npos ||
-                       f.out.find("similitude: given up at step") != std::string::npos;
-    if (f.exit_code == 0 && whole) {
-        result.record = read_lammps_pile(setup, folder, f.out);
-        return result;
-    }
-    result.interrupted = f.stopped;
-    if (!f.stopped)
-        throw std::runtime_error(fmt::format("LAMMPS ended with {}: {} (see {})", f.exit_code,
-                                             lammps_complaint(f.out),
-                                             (folder / "log.lammps").string()));
-    return result;
 }
 
 }  // namespace engines

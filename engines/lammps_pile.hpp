@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rig `pile` in LAMMPS: a setup as a deck with its data files, a run of it, and the heap read back (docs/export.md).
+// The rig `pile` as a deck of LAMMPS with its data files (docs/export.md); lammps_pile_run.hpp runs it.
 // The deck feeds the very grains of the setup. It reads them in small batches, each grain where it would by then have fallen to,
 // with the speed it would have; it looks for rest by the rig's own criterion, and leaves the heap in final.dump.
 // Written for the release of 29 September 2021.
@@ -9,8 +9,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,34 +42,9 @@ void refuse_restitution(double restitution, const std::string& option);
 // rigid friction, any base but glued grains, several materials, a funnel or mesh, sleep, a restitution below 0.12.
 LammpsDeck lammps_pile(const rigs::PileSetup&, const std::string& option = "--engine");
 
+// kg/m^3
+double loose_density(const rigs::PileSetup&);
+
 void write_lammps_deck(const LammpsDeck&, const std::filesystem::path& folder);
-
-// A thermo line of the deck.
-struct LammpsProgress {
-    std::int64_t step = 0, grains = 0;  // glued ones included
-    double kinetic = 0.0;               // J, of translation
-};
-
-struct LammpsPileRun {
-    std::string release;  // "29 Sep 2021 - Update 2"
-    bool interrupted;
-    double seconds;                          // wall time
-    std::vector<std::string> command;        // as it was run
-    std::optional<rigs::PileRecord> record;  // none where interrupted
-};
-
-// Runs deck.in in `folder`, with mpirun where there is more than one rank. `show` is called as output comes. The record's `coordination` counts
-// what touches: LAMMPS tells nothing of necks that are stretched. Throws std::runtime_error with LAMMPS' error and the log's path where
-// it fails.
-LammpsPileRun run_lammps_pile(const std::filesystem::path& lmp, const rigs::PileSetup&,
-                              const std::filesystem::path& folder, int ranks,
-                              const std::function<void(const LammpsProgress&)>& show = {});
-
-// The command of such a run.
-std::vector<std::string> lammps_pile_command(const std::string& lmp, int ranks);
-
-// The heap of final.dump, as a run of our own that has ended there. `output` is what LAMMPS printed.
-rigs::PileRecord read_lammps_pile(const rigs::PileSetup&, const std::filesystem::path& folder,
-                                  const std::string& output);
 
 }  // namespace engines

@@ -85,7 +85,7 @@ void set_runs(data& d, const Page& page) {
     const bool heaps = page.verification && page.verification->similarity;
     const bool sleep = page.verification && page.verification->sleep;
     d["runs_heading"] = !page.runs_heading.empty() ? page.runs_heading
-                        : sleep   ? "Heaps awake and heaps that may sleep, laid over each other"
+                        : sleep ? "Heaps awake and heaps that may sleep, laid over each other"
                         : heaps ? "Reference and scaled heaps, laid over each other"
                                 : "What was simulated";
     set_list(d, "runs", runs_part(runs_of(page)));
@@ -106,7 +106,8 @@ data sections_data(const Page& page) {
                {"next", "what next"}};
     const bool heaps =
         page.verification && (page.verification->similarity || page.verification->sleep);
-    if (!runs_of(page).empty()) all.emplace_back("runs", heaps ? "heaps" : page.runs_heading.empty() ? "runs" : "picture");
+    if (!runs_of(page).empty())
+        all.emplace_back("runs", heaps ? "heaps" : page.runs_heading.empty() ? "runs" : "picture");
     if (has_checks(page)) all.emplace_back("checks", "checks");
     if (!page.limits.empty()) all.emplace_back("limits", "limits");
     all.emplace_back("repeat", "repeat it");
@@ -193,8 +194,9 @@ std::vector<std::string> limits_of(const Verification& v) {
                     "real one grains are stiffer than here.",
                     number(heap.elasticity)));
     limits.emplace_back(
-        "All grains are spheres of one size, and the core is compared with itself: this shows that "
-        "the scaling holds in the model, not that the model is the powder.");
+        "All grains are spheres of one size, and one program is compared with itself: this shows "
+        "that the scaling holds in the model, not that the model is the powder.");
+    limits.push_back("Heaps by " + heaps_by(*v.similarity) + ".");
     return limits;
 }
 

@@ -158,14 +158,16 @@ rigs::PileSetup reference_setup(const cases::Case& c, const ReferenceHeap& heap,
     one_size.size_distribution.clear();
     rigs::choose_feed(s, one_size, seed);
     rigs::choose_steps(s);
+    if (heap.lammps_rules) rigs::take_lammps_rules(s);
     return s;
 }
 
 SimilarityResult similarity(const cases::Case& c, Extent extent, std::uint64_t seed,
-                            const Campaign& campaign) {
+                            const Campaign& campaign, const ReferenceHeap& heap) {
     const auto start = std::chrono::steady_clock::now();
     SimilarityResult result{};
-    const ReferenceHeap& heap = result.heap;
+    result.heap = heap;
+    if (campaign.engine != nullptr) result.engine = campaign.engine->name();
     const int seeds = seeds_of(extent);
     const double nu = c.grain.poisson_ratio.value.value(), h = c.scaling ? c.scaling->h : 200.0;
     // A side's seeds are its own: an h that is no power of two starts as the same pile and must not count as a second one.

@@ -2,6 +2,7 @@
 #include "engines/lammps_pile.hpp"
 
 #include "cases/read_case.hpp"
+#include "engines/lammps_pile_run.hpp"
 #include "engines/lammps_run.hpp"
 #include "engines/process.hpp"
 #include "scaling/errors.hpp"
@@ -126,16 +127,16 @@ TEST_CASE("lammps pile: one grain falls in LAMMPS as it does here", "[engines][l
     const Scratch folder("lammps-pile-one");
     engines::write_lammps_deck(engines::lammps_pile(s), folder.path);
     const auto run = engines::run_lammps_pile("lmp", s, folder.path, 1);
-    REQUIRE(run.record);
-    CHECK(run.record->at_rest);
-    REQUIRE(run.record->heap.centre.size() == 1);
+    REQUIRE(run.end);
+    CHECK(run.end->record.at_rest);
+    REQUIRE(run.end->record.heap.centre.size() == 1);
     rigs::PileRun ours = rigs::begin_pile(s, 1);
     while (!ours.finished) rigs::advance(ours, s, 1000);
     const rigs::PileRecord here = rigs::record(ours, s);
-    CHECK(std::abs(here.heap.centre[0].x - run.record->heap.centre[0].x) < 1e-3 * s.d);
-    CHECK(std::abs(here.heap.centre[0].z - run.record->heap.centre[0].z) < 1e-3 * s.d);
-    CHECK(std::abs(here.steps - run.record->steps) <= 200);  // two looks at rest
-    CHECK(run.record->coordination == here.coordination);
+    CHECK(std::abs(here.heap.centre[0].x - run.end->record.heap.centre[0].x) < 1e-3 * s.d);
+    CHECK(std::abs(here.heap.centre[0].z - run.end->record.heap.centre[0].z) < 1e-3 * s.d);
+    CHECK(std::abs(here.steps - run.end->record.steps) <= 200);  // two looks at rest
+    CHECK(run.end->record.coordination == here.coordination);
 }
 
 TEST_CASE("lammps pile: a heap comes back whole, and the lost are counted",
@@ -148,8 +149,8 @@ TEST_CASE("lammps pile: a heap comes back whole, and the lost are counted",
     const auto run = engines::run_lammps_pile(
         "lmp", s, folder.path, 2, [&](const engines::LammpsProgress& p) { shown = p.step; });
     CHECK(shown > 0);
-    REQUIRE(run.record);
-    const rigs::PileRecord& r = *run.record;
+    REQUIRE(run.end);
+    const rigs::PileRecord& r = run.end->record;
     CHECK(r.at_rest);
     CHECK(r.heap.centre.size() + static_cast<std::size_t>(r.grains_lost) == 120);
     CHECK(r.grains_lost > 0);
