@@ -51,7 +51,7 @@ set -eu
 }
 
 bool has_deck(const cases::Experiment& e) {
-    return e.rig == "pile" || e.rig == "drop" || e.rig == "incline" || e.rig == "impact";
+    return e.rig == "pile" || engines::has_one_grain_deck(e);
 }
 
 int run(const ExportOptions& o) {
