@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engines/lammps_pile_run.hpp"
 
+#include "dem_min/walls.hpp"
 #include "engines/lammps_files.hpp"
 #include "engines/lammps_pile.hpp"
 #include "engines/lammps_run.hpp"
@@ -52,6 +53,9 @@ rigs::PileEnd read_lammps_pile(const PileSetup& setup, const std::filesystem::pa
         if (last.grains[k].fixed) continue;
         dem_min::insert(s, last.grains[k]);
         contacts += last.extra[k];
+        for (const dem_min::Wall& wall : s.walls)
+            contacts +=
+                dem_min::distance(wall, last.grains[k].position).distance < last.grains[k].radius;
         ++loose;
     }
     run.fed = setup.feed_time.size();

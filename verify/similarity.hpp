@@ -51,7 +51,7 @@ struct SimilarityResult {
 
 enum class Extent { small, standard, full };
 
-// small: the bits pairs and kept_gravity at the case's h with 3 seeds. standard: the same with the seeds that give 95 % power.
+// small: the bits pairs (of our own core alone) and kept_gravity at the case's h with 3 seeds. standard: the same with the seeds that give 95 % power.
 // full: also the other undistorted schemes, the two controls that must fail (w off by 30 %, friction off by 20 %) and the
 // scheme `paper` under every invariant.
 SimilarityResult similarity(const cases::Case&, Extent, std::uint64_t first_seed, const Campaign&,
