@@ -178,7 +178,7 @@ SimilarityResult similarity(const cases::Case& c, Extent extent, std::uint64_t s
     Plan plan;
     const std::size_t reference =
         plan.add(jobs(seeds, seed, [&](std::uint64_t s) { return reference_job(c, heap, s); }));
-    // A claim on our own core: LAMMPS works with lengths of its own (docs/verify.md).
+    // A claim on our own core: heaps of LAMMPS do not keep their bits (docs/verify.md).
     const bool ask_for_bits = campaign.engine == nullptr;
     std::size_t bits_exact = 0, bits_kept = 0;
     if (ask_for_bits) {
