@@ -3,6 +3,7 @@
 
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
+#include "app/lammps_base.hpp"
 #include "app/predictions.hpp"
 #include "app/progress.hpp"
 #include "cases/read_case.hpp"
@@ -14,8 +15,10 @@
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace app {
 
@@ -23,7 +26,7 @@ namespace {
 
 struct DiagnoseOptions {
     CommonOptions common;
-    std::string path, predict;
+    std::string path, predict, engine = "dem_min", out = "out";
     double alpha = diagnose::Settings{}.alpha;
 };
 
@@ -31,7 +34,9 @@ constexpr const char* examples = R"(Examples:
   similitude diagnose my-drops --report out/my-drops.html
       what the simulation of my-drops/case.json lacks, with figures
   similitude diagnose my-drops --json - --predict out/my-drops --seed 2
-      the verdict for programs, and the predicted curves of every experiment as CSV)";
+      the verdict for programs, and the predicted curves of every experiment as CSV
+  similitude diagnose my-drops --engine lammps --out out/my-drops
+      the simulation that is judged is one of LAMMPS, with the model of the case)";
 
 int exit_code_of(diagnose::Answer answer) {
     switch (reports::answer_of(answer)) {
@@ -63,11 +68,27 @@ std::optional<diagnose::Verdict> judged(const cases::Case& c, const DiagnoseOpti
     }
 }
 
+// Who made the base simulation; nothing where a signal came.
+std::optional<std::vector<std::string>> with_base(cases::Case& c, const DiagnoseOptions& o) {
+    if (o.engine != "lammps") return std::vector<std::string>{};
+    Progress progress(!o.common.quiet);
+    LammpsBase base = simulate_base_in_lammps(
+        c, std::filesystem::absolute(o.out),
+        [&](std::size_t k, std::size_t of, const std::string& id) {
+            progress.show(static_cast<double>(k), static_cast<double>(of), "LAMMPS runs " + id);
+        });
+    if (base.interrupted) return std::nullopt;
+    return base.statements;
+}
+
 int run(const DiagnoseOptions& o, const std::string& command, const Judge& judge) {
-    const cases::Case c = cases::read_case(o.path, cases::HeldOut::sealed);
+    cases::Case c = cases::read_case(o.path, cases::HeldOut::sealed);
     if (!o.predict.empty()) make_folder(o.predict);  // a minute of work must not end at a bad name
     watch_interrupts();
-    const std::optional<diagnose::Verdict> v = judged(c, o, judge);
+    const auto base = with_base(c, o);
+    std::optional<diagnose::Verdict> v;
+    if (base) v = judged(c, o, judge);
+    if (v) v->warnings.insert(v->warnings.begin(), base->begin(), base->end());
     if (!v) {
         fmt::print(stderr,
                    "similitude: interrupted; a diagnosis starts anew when it is asked for again\n");
@@ -95,6 +116,14 @@ Verb diagnose_verb(CLI::App& app, const std::string& command, const Judge& judge
         ->type_name("DIR");
     verb->add_option("--alpha", options->alpha, "chance of calling a mismatch where there is none")
         ->check(CLI::Range(1e-4, 0.5))
+        ->capture_default_str();
+    verb->add_option("--engine", options->engine,
+                     "whose simulation is judged: lammps runs drops, inclines and impacts of the "
+                     "case first, as if `simulated` held them")
+        ->check(CLI::IsMember({"dem_min", "lammps"}))
+        ->capture_default_str();
+    verb->add_option("--out", options->out, "folder for LAMMPS' decks")
+        ->type_name("DIR")
         ->capture_default_str();
     add_common(*verb, options->common);
     verb->footer(examples);

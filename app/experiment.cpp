@@ -11,6 +11,7 @@
 #include "cases/messages.hpp"
 #include "engines/lammps_one_grain.hpp"
 #include "engines/lammps_pile.hpp"
+#include "engines/lammps_pile_run.hpp"
 #include "engines/lammps_run.hpp"
 #include "engines/process.hpp"
 #include "reports/numbers.hpp"
@@ -158,10 +159,11 @@ ExperimentRun lammps_run(const PileTask& task, int ranks) {
         });
     ExperimentRun run{
         task.id, "pile", lammps.seconds, std::nullopt, {{"interrupted_at_step", reached}}};
-    if (lammps.record) {
-        write_pile(task.folder, task.id, *lammps.record);
-        run.section = reports::pile_section(task.id, *lammps.record);
-        run.result = reports::to_json(*lammps.record);
+    if (lammps.end) {
+        const rigs::PileRecord& record = lammps.end->record;
+        write_pile(task.folder, task.id, record);
+        run.section = reports::pile_section(task.id, record);
+        run.result = reports::to_json(record);
     }
     run.result["engine"] = engine_json(lammps.release, ranks, lammps.command, deck);
     return run;
@@ -185,9 +187,7 @@ std::function<ExperimentRun()> prepared_pile(const Case& c, const Experiment& e,
     if (!place.engine.lammps) return [task] { return pile_run(task); };
     refuse_for_lammps(o, place);
     engines::lammps_program("--engine");
-    if (place.engine.ranks > 1 && !engines::find_program("mpirun"))
-        throw InvalidInput(mistake("--ranks", std::to_string(place.engine.ranks),
-                                   "needs the program mpirun", "apt-get install openmpi-bin"));
+    engines::refuse_ranks_without_mpirun(place.engine.ranks);
     engines::lammps_pile(task.setup);  // says what it cannot take before anything runs
     return [task, ranks = place.engine.ranks] { return lammps_run(task, ranks); };
 }

@@ -3,18 +3,23 @@
 
 #include "app/exit_code.hpp"
 #include "app/experiment.hpp"
+#include "app/lammps_cost.hpp"
 #include "cases/messages.hpp"
 #include "cases/read_case.hpp"
 #include "engines/lammps_one_grain.hpp"
 #include "engines/lammps_pile.hpp"
+#include "reports/numbers.hpp"
 #include "rigs/forward.hpp"
 #include "scaling/errors.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <vector>
 
 namespace app {
 
@@ -36,22 +41,45 @@ constexpr const char* examples = R"(Examples:
       and job.sh beside each deck: sbatch job.sh)";
 
 // Of the words of the deck's own folder; srun starts the ranks.
-std::string slurm_script(const std::string& id, int ranks) {
+std::string slurm_script(const std::string& id, int ranks, int hours) {
     std::string script = fmt::format(R"(#!/bin/sh
 # Written by similitude, never run on a cluster: add partition, account and modules as yours wants them.
 #SBATCH --job-name={}
 #SBATCH --ntasks={}
-#SBATCH --time=24:00:00
+#SBATCH --time={}:00:00
 #SBATCH --output=job.log
 set -eu
 )",
-                                     id, ranks);
+                                     id, ranks, hours);
     script += "cd \"${SLURM_SUBMIT_DIR:-.}\"\n";
     return script + "exec srun lmp -in deck.in -log log.lammps\n";
 }
 
+struct Exported {
+    std::string id;
+    engines::LammpsDeck deck;
+    std::optional<LammpsCost> cost{};  // of a pile
+};
+
+constexpr int hours_for_a_grain = 24;
+
+Exported exported(const cases::Case& c, const cases::Experiment& e, const ExportOptions& o,
+                  const EngineChoice& choice) {
+    if (e.rig != "pile") return {e.id, engines::lammps_one_grain(c, e, rigs::ordinates_of(e))};
+    const rigs::PileSetup setup = chosen_setup(c, e, o.seed, true, choice);
+    return {e.id, engines::lammps_pile(setup), lammps_cost(setup, choice.ranks)};
+}
+
+std::string estimate_text(const LammpsCost& cost, int ranks) {
+    return fmt::format(
+        "estimate: {} grains, {} steps, {} grain-steps, {} h on {} rank{} (docs/export.md says of "
+        "which machine)",
+        reports::count(cost.grains), reports::count(cost.steps), reports::count(cost.grain_steps),
+        reports::number(cost.seconds / 3600.0), ranks, ranks == 1 ? "" : "s");
+}
+
 bool has_deck(const cases::Experiment& e) {
-    return e.rig == "pile" || e.rig == "drop" || e.rig == "incline" || e.rig == "impact";
+    return e.rig == "pile" || engines::has_one_grain_deck(e);
 }
 
 int run(const ExportOptions& o) {
@@ -64,26 +92,27 @@ int run(const ExportOptions& o) {
                                    "leave it out and start the deck yourself"));
     const EngineChoice choice = engine_choice(o.engine, o.ranks, o.contact);
     std::vector<std::string> ids;
-    std::vector<std::pair<std::string, engines::LammpsDeck>> decks;
+    std::vector<Exported> decks;
     for (const cases::Experiment& e : c.experiments) {
         if (!has_deck(e)) continue;
         ids.push_back(e.id);
         if (!o.experiment.empty() && e.id != o.experiment) continue;
-        decks.emplace_back(
-            e.id, e.rig == "pile" ? engines::lammps_pile(chosen_setup(c, e, o.seed, true, choice))
-                                  : engines::lammps_one_grain(c, e, rigs::ordinates_of(e)));
+        decks.push_back(exported(c, e, o, choice));
     }
     if (decks.empty())
         throw InvalidInput(
             mistake("--experiment", o.experiment.empty() ? "none" : cases::in_quotes(o.experiment),
                     "must be a pile, drop, incline or impact of the case",
                     ids.empty() ? "this case has none" : cases::suggestion(o.experiment, ids)));
-    for (const auto& [id, deck] : decks) {
+    for (const auto& [id, deck, cost] : decks) {
         const std::filesystem::path folder = std::filesystem::path(o.out) / (id + "-lammps");
         engines::write_lammps_deck(deck, folder);
         if (!o.submit.empty())
-            write_file((folder / "job.sh").string(), slurm_script(id, choice.ranks));
+            write_file(
+                (folder / "job.sh").string(),
+                slurm_script(id, choice.ranks, cost ? hours_to_ask_for(*cost) : hours_for_a_grain));
         fmt::print("{}\n", (folder / "deck.in").string());
+        if (cost) fmt::print(stderr, "{}\n", estimate_text(*cost, choice.ranks));
     }
     return fine;
 }

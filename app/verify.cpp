@@ -2,12 +2,14 @@
 #include "app/verify.hpp"
 
 #include "app/exit_code.hpp"
+#include "app/experiment.hpp"
 #include "app/interrupt.hpp"
 #include "app/machine_speed.hpp"
 #include "app/progress.hpp"
 #include "app/scale_input.hpp"
 #include "app/verify_against.hpp"
 #include "cases/read_case.hpp"
+#include "engines/lammps_pile_run.hpp"
 #include "reports/checks.hpp"
 #include "scaling/errors.hpp"
 #include "verify/exact_answers.hpp"
@@ -33,6 +35,8 @@ struct VerifyOptions {
     bool small = false, full = false, exact_only = false, sleep = false;
     std::string experiment;  // with --sleep; empty: the first pile with a count of grains
     int seeds = 0;           // a side, with --sleep; 0: 3 with --small, else 12
+    std::string engine = "dem_min", contact = "own";
+    int ranks = 0;
 };
 
 constexpr const char* examples = R"(Examples:
@@ -43,7 +47,9 @@ constexpr const char* examples = R"(Examples:
   similitude verify --against lammps --report out/lammps.html
       our core beside LAMMPS on the same rules; with --small without the heaps
   similitude verify data/slow-feed --sleep --seeds 12 --json out/sleep.json
-      heaps that may sleep against heaps that stay awake, and what sleep saves)";
+      heaps that may sleep against heaps that stay awake, and what sleep saves
+  similitude verify data/zirconia/case.json --small --engine lammps --ranks 2 --contact lammps
+      the scaled heaps against the reference heaps, all of them run by LAMMPS)";
 
 verify::Campaign campaign_of(const VerifyOptions& o, Progress& progress) {
     const std::filesystem::path remembered = std::filesystem::path(o.out) / "similitude-heaps";
@@ -131,14 +137,25 @@ const cases::Experiment& pile_of(const cases::Case& c, const std::string& id) {
     return *chosen;
 }
 
+// None for our own core.
+std::unique_ptr<rigs::PileEngine> engine_of(const VerifyOptions& o, const EngineChoice& choice) {
+    if (!choice.lammps) return nullptr;
+    const auto decks = std::filesystem::path(o.out) / "similitude-heaps" / "lammps";
+    return std::make_unique<engines::LammpsPiles>(std::filesystem::absolute(decks), choice.ranks);
+}
+
 void run_heaps(const VerifyOptions& o, const cases::Case& c, reports::Verification& v) {
     Progress progress(!o.common.quiet);
-    const verify::Campaign campaign = campaign_of(o, progress);
+    const EngineChoice choice = engine_choice(o.engine, o.ranks, o.contact);
+    const std::unique_ptr<rigs::PileEngine> engine = engine_of(o, choice);
+    verify::Campaign campaign = campaign_of(o, progress);
+    campaign.engine = engine.get();
     const int seeds = o.seeds > 0 ? o.seeds : o.small ? 3 : 12;
     if (o.sleep)
         v.sleep = verify::sleep_study(c, pile_of(c, o.experiment), seeds, o.common.seed, campaign);
     else
-        v.similarity = verify::similarity(c, extent_of(o), o.common.seed, campaign);
+        v.similarity = verify::similarity(c, extent_of(o), o.common.seed, campaign,
+                                          {.lammps_rules = choice.lammps_rules});
 }
 
 int run(const VerifyOptions& o, const std::string& command) {
@@ -191,6 +208,23 @@ Verb verify_verb(CLI::App& app, const std::string& command) {
     verb->add_option("--seeds", options->seeds, "heaps a side for --sleep, 12 by default")
         ->check(CLI::Range(2, 1000))
         ->needs(sleep);
+    verb->add_option("--engine", options->engine,
+                     "who runs the heaps: dem_min, or lammps (the program lmp)")
+        ->type_name("ENGINE")
+        ->capture_default_str()
+        ->excludes(exact)
+        ->excludes(against)
+        ->excludes(sleep);
+    verb->add_option("--ranks", options->ranks, "MPI ranks of LAMMPS; 1 by default")
+        ->type_name("N");
+    verb->add_option("--contact", options->contact,
+                     "contact rules of the heaps: own, or lammps (those that LAMMPS has too, on "
+                     "either engine)")
+        ->type_name("RULES")
+        ->capture_default_str()
+        ->excludes(exact)
+        ->excludes(against)
+        ->excludes(sleep);
     verb->add_option("--out", options->out, "folder in which finished heaps are remembered")
         ->type_name("DIR")
         ->capture_default_str();

@@ -52,8 +52,9 @@ Throw thrown(const cases::Case& c, const cases::Experiment& e, const std::string
         throw scaling::InvalidInput(scaling::mistake(option, "lammps", what, remedy));
     };
     const char* ours = "leave the option out: dem_min runs it";
-    if (e.rig != "drop" && e.rig != "incline" && e.rig != "impact")
-        refuse("has no deck for the rig " + e.rig, ours);
+    if (!has_one_grain_deck(e)) refuse("has no deck for the rig " + e.rig, ours);
+    if (c.model.numerics.integrator == "euler")
+        refuse("takes steps of velocity Verlet, not of Euler (model.numerics.integrator)", ours);
     for (const std::string& effect : c.model.physics)
         if (effect != "gravity" && effect != "buoyancy" && effect != "hertz_mindlin")
             refuse(fmt::format("is told of no {} on a single grain", effect), ours);
@@ -266,6 +267,15 @@ rigs::Curves impact_curves(const Throw& t, const rigs::Ordinates& at, const Lamm
 }
 
 }  // namespace
+
+bool has_one_grain_deck(const cases::Experiment& e) {
+    return e.rig == "drop" || e.rig == "incline" || e.rig == "impact";
+}
+
+double lammps_time_step(const cases::Case& c, const cases::Experiment& e,
+                        const std::string& option) {
+    return time_step(thrown(c, e, option));
+}
 
 LammpsDeck lammps_one_grain(const cases::Case& c, const cases::Experiment& e,
                             const rigs::Ordinates& at, const std::string& option) {

@@ -14,9 +14,15 @@
 namespace engines {
 
 // deck.in, start.data and, for a drop or an incline, the steps at which the grain is written, rows.txt. Throws scaling::InvalidInput, which names
-// `option`, for another rig, for physics beyond gravity, buoyancy and hertz_mindlin, and for a restitution below 0.12.
+// `option`, for another rig, for physics beyond gravity, buoyancy and hertz_mindlin, for Euler steps, and for a restitution below 0.12.
 LammpsDeck lammps_one_grain(const cases::Case&, const cases::Experiment&, const rigs::Ordinates&,
                             const std::string& option = "--engine");
+
+bool has_one_grain_deck(const cases::Experiment&);
+
+// The step of that deck, s: model.numerics.time_step, or its own choice.
+double lammps_time_step(const cases::Case&, const cases::Experiment&,
+                        const std::string& option = "--engine");
 
 struct LammpsCurvesRun {
     std::string release;  // "29 Sep 2021 - Update 2"

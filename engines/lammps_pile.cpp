@@ -2,20 +2,16 @@
 #include "engines/lammps_pile.hpp"
 
 #include "engines/bed_lammps.hpp"
+#include "engines/lammps_feed.hpp"
 #include "engines/lammps_files.hpp"
 #include "engines/lammps_run.hpp"
-#include "engines/process.hpp"
 #include "scaling/errors.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <limits>
 #include <numbers>
-#include <sstream>
-#include <stdexcept>
 
 namespace engines {
 namespace {
@@ -32,6 +28,8 @@ constexpr double at_rest_below = 1e-6;    // of m g d
     throw scaling::InvalidInput(scaling::mistake(option, "lammps", what, remedy));
 }
 
+bool is_flat(const PileSetup& s) { return s.conditions.base == rigs::Base::flat; }
+
 bool sticky(const rigs::ContactParameters& c) { return c.work_of_adhesion > 0.0; }
 
 void refuse_what_lammps_has_not(const PileSetup& s, const std::string& option) {
@@ -43,63 +41,16 @@ void refuse_what_lammps_has_not(const PileSetup& s, const std::string& option) {
                "say --contact lammps: SDS rolling and tear-off at the deepest tension, on either "
                "engine");
     if (s.grains.rigid_tangential) refuse(option, "has no rigid friction (hertz_coulomb)", ours);
-    if (c.base != rigs::Base::glued_grains)
-        refuse(
-            option,
-            "damps walls by another dashpot in every run of a deck (damping tsuji), and the feed "
-            "has a run for every batch",
-            "take glued_grains for the base, or leave the option out");
+    if (c.base == rigs::Base::flat_with_rim)
+        refuse(option, "is told of no rim", "take flat or glued_grains for the base");
+    if (is_flat(s) && sticky(s.walls))
+        refuse(option, "loses the force of an adhesive contact with a wall beyond its fold",
+               "take glued_grains for the base, or no wall_adhesion");
     if (!s.materials.pairs.empty()) refuse(option, "is told of one material only", ours);
     if (c.funnel || !c.meshes.empty()) refuse(option, "is told of no funnel and no mesh", ours);
     if (s.sleep_speed > 0.0) refuse(option, "does not sleep", "leave --sleep out");
     refuse_restitution(s.grains.restitution, option);
-}
-
-double density_of(const PileSetup& s) {
-    return s.materials.density.empty() ? s.density : s.materials.density.front();
-}
-
-// How far a grain that appeared at `since` has fallen at `t`.
-double fallen(const PileSetup& s, double since, double t) {
-    return 0.5 * s.gravity * (t - since) * (t - since);
-}
-
-// Heights at which grains appear over a heap that is below its feed, m: the lowest at which a grain is clear of those still in
-// flight, both when it appears and when its batch is read. Between two grains in flight the distance grows in a straight line.
-std::vector<double> feed_heights(const PileSetup& s, const std::vector<FeedBatch>& batches) {
-    const std::size_t count = s.feed_time.size();
-    std::vector<double> z(count);
-    std::size_t oldest = 0;
-    for (const FeedBatch& batch : batches) {
-        const double read = static_cast<double>(batch.step) * s.time_step;
-        for (std::size_t k = batch.first; k <= batch.last; ++k) {
-            z[k] = s.conditions.drop_height + s.radius[k];
-            // What fell for so long is below by more than two grains and the lift of the highest.
-            while (s.feed_time[oldest] < s.feed_time[k] &&
-                   z[oldest] - fallen(s, s.feed_time[oldest], s.feed_time[k]) < z[k] - 4.0 * s.d &&
-                   oldest < k)
-                ++oldest;
-            for (bool moved = true; moved;) {
-                moved = false;
-                for (std::size_t j = oldest; j < k; ++j) {
-                    const double reach = 1.001 * (s.radius[j] + s.radius[k]);
-                    const double dx = s.feed_x[j] - s.feed_x[k], dy = s.feed_y[j] - s.feed_y[k];
-                    const double level = reach * reach - dx * dx - dy * dy;
-                    if (level <= 0.0) continue;
-                    const auto gap = [&](double t) {  // how far j is above k
-                        return z[j] - fallen(s, s.feed_time[j], t) - z[k] +
-                               fallen(s, s.feed_time[k], t);
-                    };
-                    const double now = gap(s.feed_time[k]), then = gap(read);
-                    const double apart = std::sqrt(level);
-                    if (std::min(now, then) >= apart || std::max(now, then) <= -apart) continue;
-                    z[k] += (std::max(now, then) + apart) * 1.001;
-                    moved = true;
-                }
-            }
-        }
-    }
-    return z;
+    if (is_flat(s)) refuse_restitution(s.walls.restitution, option);
 }
 
 Box box_of(const PileSetup& s) {
@@ -133,16 +84,42 @@ std::string added_data(const std::vector<Grain>& grains, const Box& box) {
     return text;
 }
 
-std::string batch_text(const PileSetup& s, const FeedBatch& batch, const std::vector<double>& z) {
-    const double read = static_cast<double>(batch.step) * s.time_step;
+// As they are when their batch is fed, `lift` higher.
+std::vector<Grain> fed(const PileSetup& s, const FeedBatch& batch, const std::vector<double>& z,
+                       double lift = 0.0) {
+    const double now = static_cast<double>(batch.step) * s.time_step;
     std::vector<Grain> grains;
     for (std::size_t k = batch.first; k <= batch.last; ++k)
-        grains.push_back({{s.feed_x[k], s.feed_y[k], z[k] - fallen(s, s.feed_time[k], read)},
-                          {0.0, 0.0, -s.gravity * (read - s.feed_time[k])},
+        grains.push_back({{s.feed_x[k], s.feed_y[k], z[k] - fallen(s, s.feed_time[k], now) + lift},
+                          {0.0, 0.0, -s.gravity * (now - s.feed_time[k])},
                           {},
                           s.radius[k],
-                          density_of(s)});
-    return added_data(grains, box_of(s));
+                          loose_density(s)});
+    return grains;
+}
+
+constexpr const char* glued_grains = R"(group loose type 1
+group glued type 2
+read_data base.data add append group glued
+neigh_modify delay 0 every 1 check yes exclude group glued glued)";
+constexpr const char* frozen =
+    R"(# Glued grains: frozen, and infinitely heavy in the reduced mass of a contact.
+fix hold glued freeze)";
+
+// Over a wall nothing may be read between two runs: a run that is set up anew (pre yes) puts the number of a wall's dashpot through the
+// polynomial of `tsuji` again. So all grains are there from the start, parked, and a batch is fed by making it loose.
+constexpr const char* parked_grains =
+    R"(# Grains that are still to be fed: nothing moves them and they touch nothing.
+read_data grains.data add append
+group parked type 1
+group loose empty
+neigh_modify delay 0 every 1 check yes exclude group parked all)";
+
+// A disc of a thousandth of a d: its edge is where a grain falls off.
+std::string plate(const PileSetup& s) {
+    return fmt::format(R"(region base cylinder z 0 0 {:.17g} {:.17g} 0 side out units box
+fix plate loose wall/gran/region granular {} region base)",
+                       0.5 * s.conditions.base_diameter, -1e-3 * s.d, granular_arguments(s.walls));
 }
 
 std::string head(const PileSetup& s) {
@@ -162,24 +139,22 @@ comm_modify vel yes
 processors * * 1
 region all block {xl:.17g} {xh:.17g} {yl:.17g} {yh:.17g} {zl:.17g} {zh:.17g} units box
 create_box 2 all
-group loose type 1
-group glued type 2
-read_data base.data add append group glued
+{grains}
 neighbor {skin:.17g} bin
-neigh_modify delay 0 every 1 check yes exclude group glued glued
 pair_style granular
 pair_coeff * * {pair}
 # The step before all fixes: some take it when they are made.
 timestep {dt:.17g}
 fix fall loose gravity {g:.17g} vector 0 0 -1
 fix motion loose nve/sphere
-# Glued grains: frozen, and infinitely heavy in the reduced mass of a contact.
-fix hold glued freeze
+{base}
 )",
         fmt::arg("xl", box.low.x), fmt::arg("xh", box.high.x), fmt::arg("yl", box.low.y),
         fmt::arg("yh", box.high.y), fmt::arg("zl", box.low.z), fmt::arg("zh", box.high.z),
         fmt::arg("skin", 0.4 * s.d), fmt::arg("pair", granular_arguments(s.grains)),
-        fmt::arg("dt", s.time_step), fmt::arg("g", s.gravity));
+        fmt::arg("dt", s.time_step), fmt::arg("g", s.gravity),
+        fmt::arg("grains", is_flat(s) ? parked_grains : glued_grains),
+        fmt::arg("base", is_flat(s) ? plate(s) : frozen));
 }
 
 // What the loops below ask: kinetic energy over m g d, top of the heap, of all.
@@ -195,13 +170,25 @@ variable heap atom (c_touching>0)*((vx*vx+vy*vy+vz*vz)<{slow:.17g})*(z+c_radius+
 variable any atom z+c_radius+{room:.17g}
 compute top loose reduce max v_heap v_any
 thermo 2000
-thermo_style custom step atoms c_kinetic c_top[1] c_top[2]
+variable present equal {present}
+thermo_style custom step v_present c_kinetic c_top[1] c_top[2]
 # What falls below the base or flies off is gone.
 thermo_modify lost ignore flush yes
 )",
                        fmt::arg("unit", mass * s.gravity * s.d),
                        fmt::arg("slow", 0.25 * s.gravity * s.d), fmt::arg("two_d", 2.0 * s.d),
-                       fmt::arg("room", 0.6 * s.d));
+                       fmt::arg("room", 0.6 * s.d),
+                       fmt::arg("present", is_flat(s) ? "count(loose)" : "count(all)"));
+}
+
+// How far the next batch is shifted up.
+std::string shift(const PileSetup& s) {
+    return fmt::format(R"(variable heap_up equal c_top[1]-{mouth:.17g}
+variable any_up equal c_top[2]-{mouth:.17g}
+if "${{any_up}} < ${{up}}" then "variable up string ${{any_up}}"
+if "${{heap_up}} > ${{up}}" then "variable up string ${{heap_up}}"
+if "${{up}} < 0" then "variable up string 0")",
+                       fmt::arg("mouth", s.conditions.drop_height));
 }
 
 std::string feed_loop(const PileSetup& s, std::size_t batches) {
@@ -214,11 +201,7 @@ variable batch loop {n}
 variable due file feed-steps.txt
 label feed
 run ${{due}} upto post no
-variable heap_up equal c_top[1]-{mouth:.17g}
-variable any_up equal c_top[2]-{mouth:.17g}
-if "${{any_up}} < ${{up}}" then "variable up string ${{any_up}}"
-if "${{heap_up}} > ${{up}}" then "variable up string ${{heap_up}}"
-if "${{up}} < 0" then "variable up string 0"
+{shift}
 read_data feed/${{batch}}.data add append shift 0 0 ${{up}} group fresh
 group loose type 1
 velocity fresh set NULL NULL v_fall units box
@@ -227,7 +210,35 @@ if "${{batch}} < {n}" then "next due"
 next batch
 jump SELF feed
 )",
-                       fmt::arg("n", batches), fmt::arg("mouth", s.conditions.drop_height));
+                       fmt::arg("n", batches), fmt::arg("shift", shift(s)));
+}
+
+// `lift`: of the parked grains, so large that a batch which comes down makes the lists anew.
+std::string parked_feed_loop(const PileSetup& s, std::size_t batches, double lift) {
+    return fmt::format(R"(
+# The feed: batch k, the ids of the k-th line of feed-ids.txt, comes loose at the k-th step of feed-steps.txt, shifted up where the
+# heap has grown to within 2 d of it, and down again only when it meets none of those fed before. One run is set up, the first.
+variable up string 0
+variable fall atom q
+variable batch loop {n}
+variable due file feed-steps.txt
+variable ids file feed-ids.txt
+run 0 post no
+label feed
+run ${{due}} upto pre no post no
+{shift}
+group fresh id ${{ids}}
+group loose union loose fresh
+group parked subtract parked fresh
+variable there atom z-{lift:.17g}+${{up}}
+set group fresh z v_there
+velocity fresh set NULL NULL v_fall units box
+group fresh clear
+if "${{batch}} < {n}" then "next due" "next ids"
+next batch
+jump SELF feed
+)",
+                       fmt::arg("n", batches), fmt::arg("lift", lift), fmt::arg("shift", shift(s)));
 }
 
 std::int64_t steps_in(const PileSetup& s, double duration) {
@@ -256,23 +267,53 @@ print "similitude: given up at step $(step)"
 label results
 # The computes of the dump must be of this step.
 run 0 post no
-write_dump all custom final.dump id type x y z vx vy vz omegax omegay omegaz radius c_touching modify sort id format float %.17g
-# A data file hands the heap over: read_restart of a jkr run crashes in this release.
-write_data final.data nocoeff
 )deck",
                        fmt::arg("check", rest_check_interval), fmt::arg("limit", at_rest_below),
                        fmt::arg("longest", steps_in(s, s.longest)),
                        fmt::arg("still", steps_in(s, s.rest_duration)));
 }
 
-bool read_progress(const std::string& line, LammpsProgress& p) {
-    long long step = 0, grains = 0;
-    double kinetic = 0.0, heap = 0.0, any = 0.0;
-    if (std::sscanf(line.c_str(), " %lld %lld %lf %lf %lf", &step, &grains, &kinetic, &heap,
-                    &any) != 5)
-        return false;
-    p = {step, grains, kinetic};
-    return true;
+// The same without `fix halt`, which wants a run that is set up anew.
+std::string rest_loop_of_one_run(const PileSetup& s) {
+    return fmt::format(R"deck(
+# At rest: below 1e-6 m g d a grain without a break for {still} steps; `moved` is the last look that found more.
+variable moved string $(step)
+label settle
+run {check} pre no post no
+variable restless_now equal v_restless
+if "${{restless_now}} >= {limit}" then "variable moved string $(step)"
+variable calm equal step-${{moved}}-{check}
+if "${{calm}} >= {still}" then "print 'similitude: at rest at step $(step)'" "jump SELF results"
+if "$(step) < {longest}" then "jump SELF settle"
+print "similitude: given up at step $(step)"
+label results
+run 0 pre no post no
+)deck",
+                       fmt::arg("check", rest_check_interval), fmt::arg("limit", at_rest_below),
+                       fmt::arg("longest", steps_in(s, s.longest)),
+                       fmt::arg("still", steps_in(s, s.rest_duration)));
+}
+
+constexpr const char* results =
+    R"deck(write_dump all custom final.dump id type x y z vx vy vz omegax omegay omegaz radius c_touching modify sort id format float %.17g
+# A data file hands the heap over: read_restart of a jkr run crashes in this release.
+write_data final.data nocoeff
+)deck";
+
+LammpsDeck over_a_plate(const PileSetup& s, const std::vector<FeedBatch>& batches,
+                        const std::vector<double>& z, const std::string& steps) {
+    const double lift = s.d;
+    std::vector<Grain> all;
+    std::string ids;
+    for (const FeedBatch& batch : batches) {
+        for (const Grain& g : fed(s, batch, z, lift)) all.push_back(g);
+        ids += fmt::format("{}:{}\n", batch.first + 1, batch.last + 1);
+    }
+    return {head(s) + questions(s) + parked_feed_loop(s, batches.size(), lift) +
+                rest_loop_of_one_run(s) + results,
+            {{"grains.data", added_data(all, box_of(s))},
+             {"feed-ids.txt", ids},
+             {"feed-steps.txt", steps}}};
 }
 
 }  // namespace
@@ -293,36 +334,29 @@ std::string granular_arguments(const rigs::ContactParameters& c) {
     return text;
 }
 
-std::vector<FeedBatch> feed_batches(const PileSetup& s) {
-    const double longest = std::sqrt(s.d / s.gravity);  // falls d/2
-    std::vector<FeedBatch> batches;
-    for (std::size_t k = 0; k < s.feed_time.size(); ++k) {
-        const auto due = static_cast<std::int64_t>(std::ceil(s.feed_time[k] / s.time_step));
-        if (batches.empty() || s.feed_time[k] > s.feed_time[batches.back().first] + longest)
-            batches.push_back({k, k, due});
-        batches.back().last = k;
-        batches.back().step = due;
-    }
-    return batches;
-}
-
 void refuse_restitution(double restitution, const std::string& option) {
     if (restitution < most_damping)
         refuse(option, "cannot damp below a restitution of 0.12 (damping tsuji ends there)",
                "take a higher restitution, or leave the option out");
 }
 
+double loose_density(const PileSetup& s) {
+    return s.materials.density.empty() ? s.density : s.materials.density.front();
+}
+
 LammpsDeck lammps_pile(const PileSetup& s, const std::string& option) {
     refuse_what_lammps_has_not(s, option);
     const std::vector<FeedBatch> batches = feed_batches(s);
     const std::vector<double> z = feed_heights(s, batches);
-    LammpsDeck result{head(s) + questions(s) + feed_loop(s, batches.size()) + rest_loop(s), {}};
-    result.files.emplace_back("base.data", added_data(glued(s), box_of(s)));
     std::string steps;
-    for (std::size_t k = 0; k < batches.size(); ++k) {
-        steps += fmt::format("{}\n", batches[k].step);
-        result.files.emplace_back(fmt::format("feed/{}.data", k + 1), batch_text(s, batches[k], z));
-    }
+    for (const FeedBatch& batch : batches) steps += fmt::format("{}\n", batch.step);
+    if (is_flat(s)) return over_a_plate(s, batches, z, steps);
+    LammpsDeck result{
+        head(s) + questions(s) + feed_loop(s, batches.size()) + rest_loop(s) + results, {}};
+    result.files.emplace_back("base.data", added_data(glued(s), box_of(s)));
+    for (std::size_t k = 0; k < batches.size(); ++k)
+        result.files.emplace_back(fmt::format("feed/{}.data", k + 1),
+                                  added_data(fed(s, batches[k], z), box_of(s)));
     result.files.emplace_back("feed-steps.txt", steps);
     return result;
 }
@@ -333,78 +367,6 @@ void write_lammps_deck(const LammpsDeck& d, const std::filesystem::path& folder)
     std::filesystem::create_directories(folder / "feed");
     write_text(folder / "deck.in", d.deck);
     for (const auto& [name, text] : d.files) write_text(folder / name, text);
-}
-
-std::vector<std::string> lammps_pile_command(const std::string& lmp, int ranks) {
-    std::vector<std::string> argv = ranks > 1 ? mpirun(ranks) : std::vector<std::string>{};
-    for (const std::string& word : {lmp, std::string("-in"), std::string("deck.in"),
-                                    std::string("-log"), std::string("log.lammps")})
-        argv.push_back(word);
-    return argv;
-}
-
-rigs::PileRecord read_lammps_pile(const PileSetup& setup, const std::filesystem::path& folder,
-                                  const std::string& output) {
-    const FinalGrains last = read_final_grains(folder, density_of(setup), "c_touching");
-    rigs::PileRun run = rigs::begin_pile(setup, 1);
-    dem_min::Simulation& s = run.simulation;
-    double contacts = 0.0;
-    std::int64_t loose = 0;
-    for (std::size_t k = 0; k < last.grains.size(); ++k) {
-        if (last.grains[k].fixed) continue;
-        dem_min::insert(s, last.grains[k]);
-        contacts += last.extra[k];
-        ++loose;
-    }
-    run.fed = setup.feed_time.size();
-    run.finished = true;
-    run.at_rest = output.find("similitude: at rest at step") != std::string::npos;
-    s.steps = last.step;
-    s.past.grains_lost = static_cast<std::int64_t>(run.fed) - loose;
-    LammpsProgress now, before;
-    std::istringstream lines(output);
-    for (std::string line; std::getline(lines, line);)
-        if (read_progress(line, now)) {
-            s.past.grain_steps += before.grains * (now.step - before.step);
-            before = now;
-        }
-    rigs::PileRecord record = rigs::record(run, setup);
-    record.coordination = loose > 0 ? contacts / static_cast<double>(loose) : 0.0;
-    if (sticky(setup.grains))
-        record.notes.emplace_back(
-            "coordination counts grains that touch: LAMMPS does not tell of necks that are "
-            "stretched");
-    return record;
-}
-
-LammpsPileRun run_lammps_pile(const std::filesystem::path& lmp, const PileSetup& setup,
-                              const std::filesystem::path& folder, int ranks,
-                              const std::function<void(const LammpsProgress&)>& show) {
-    LammpsPileRun result{};
-    result.command = lammps_pile_command(lmp.string(), ranks);
-    std::size_t read = 0;
-    const auto watch = [&](const std::string& out) {
-        LammpsProgress last;
-        bool any = false;
-        for (std::size_t end; (end = out.find('\n', read)) != std::string::npos; read = end + 1)
-            any = read_progress(out.substr(read, end - read), last) || any;
-        if (any && show) show(last);
-    };
-    const Finished f = run(result.command, folder, std::numeric_limits<double>::infinity(), watch);
-    result.seconds = f.seconds;
-    result.release = lammps_release(f.out.substr(std::min(f.out.find("LAMMPS ("), f.out.size())));
-    const bool whole = f.out.find("similitude: at rest at step") != std::string::npos ||
-                       f.out.find("similitude: given up at step") != std::string::npos;
-    if (f.exit_code == 0 && whole) {
-        result.record = read_lammps_pile(setup, folder, f.out);
-        return result;
-    }
-    result.interrupted = f.stopped;
-    if (!f.stopped)
-        throw std::runtime_error(fmt::format("LAMMPS ended with {}: {} (see {})", f.exit_code,
-                                             lammps_complaint(f.out),
-                                             (folder / "log.lammps").string()));
-    return result;
 }
 
 }  // namespace engines

@@ -11,6 +11,10 @@
 #include <stdexcept>
 
 namespace engines {
+namespace {
+constexpr double help_limit = 60.0;  // s
+}
+
 std::string lammps_complaint(const std::string& output) {
     std::istringstream in(output);
     std::string all, last;
@@ -32,6 +36,15 @@ std::string lammps_release(const std::string& output) {
     const std::size_t end = output.find(')');
     if (!output.starts_with(start) || end == std::string::npos) return "unknown";
     return output.substr(start.size(), end - start.size());
+}
+
+std::string installed_release(const std::filesystem::path& lmp) {
+    const std::string help = run({lmp.string(), "-h"}, ".", help_limit).out;
+    const std::string start = "Simulator - ";
+    const std::size_t at = help.find(start);
+    if (at == std::string::npos) return "unknown";
+    const std::size_t first = at + start.size();
+    return help.substr(first, help.find('\n', first) - first);
 }
 
 std::string run_lammps(const std::filesystem::path& lmp, const std::filesystem::path& folder,

@@ -13,6 +13,9 @@ std::filesystem::path lammps_program(const std::string& option = "--against");
 // "29 Sep 2021 - Update 2", from the first line that it prints; "unknown" where that is another.
 std::string lammps_release(const std::string& output);
 
+// The same of the program itself, without a deck.
+std::string installed_release(const std::filesystem::path& lmp);
+
 // The error lines of an output, or its last one where there is none.
 std::string lammps_complaint(const std::string& output);
 

@@ -117,6 +117,11 @@ std::string saved_text(const verify::SleepStudy& s) {
         number(100.0 * s.saved.whole), count(s.grains), number(100.0 * s.saved.while_fed));
 }
 
+std::string heaps_by(const verify::SimilarityResult& r) {
+    return (r.engine.empty() ? "dem_min" : r.engine) +
+           (r.heap.lammps_rules ? "; contact rules that LAMMPS has" : "; our own contact rules");
+}
+
 Verdict verdict_of(const Verification& v) {
     const std::vector<std::string> failed = failures(v);
     const std::vector<const verify::Comparison*> all = comparisons_of(v);
@@ -146,6 +151,7 @@ std::string text_of(const Verification& v) {
         fmt::format("{}\n{}\n\n", verdict.headline, wrapped(verdict.why, 100, 0)) + checks_text(v);
     const TextTable bits = bits_table(v);
     if (!bits.empty()) text += columns(bits, {false, true, true, false, false, false}) + "\n";
+    if (v.similarity) text += fmt::format("heaps by {}\n\n", heaps_by(*v.similarity));
     if (v.sleep) text += wrapped(saved_text(*v.sleep), 100, 0) + "\n\n";
     for (const verify::Comparison* c : comparisons_of(v)) {
         const RunSection section = comparison_section(*c);

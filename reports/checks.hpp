@@ -35,6 +35,9 @@ std::vector<const verify::Comparison*> comparisons_of(const Verification&);
 // What sleep saved, in a sentence.
 std::string saved_text(const verify::SleepStudy&);
 
+// Engine and contact rules of the heaps: "LAMMPS 29 Sep 2021 - Update 2, 2 ranks; contact rules that LAMMPS has".
+std::string heaps_by(const verify::SimilarityResult&);
+
 // One row per pair: scheme, h, grains, hash of either side, same or not. The first row is the
 // heading; empty without pairs.
 TextTable bits_table(const Verification&);
@@ -43,7 +46,7 @@ TextTable bits_table(const Verification&);
 std::string tolerance_text(const verify::Check&);
 
 // checks: every one with expected, got, unit, tolerance, relative, reason, source, passed, the bits
-// pairs among them; comparisons: sides with every sample, quantities with intervals; findings; sleep: what it saved.
+// pairs among them; comparisons: sides with every sample, quantities with intervals; findings; heaps_by; sleep: what it saved.
 Json to_json(const Verification&);
 
 std::string text_of(const Verification&);

@@ -119,6 +119,7 @@ Json to_json(const Verification& v) {
                  {"checks", std::move(checks)},
                  {"comparisons", std::move(comparisons)},
                  {"findings", std::move(findings)}};
+    if (v.similarity) json["heaps_by"] = heaps_by(*v.similarity);
     if (v.sleep)
         json["sleep"] = {{"experiment", v.sleep->experiment},
                          {"grains", v.sleep->grains},

@@ -196,8 +196,9 @@ std::vector<std::string> limits_of(const Verification& v) {
                     "real one grains are stiffer than here.",
                     number(heap.elasticity)));
     limits.emplace_back(
-        "All grains are spheres of one size, and the core is compared with itself: this shows that "
-        "the scaling holds in the model, not that the model is the powder.");
+        "All grains are spheres of one size, and one program is compared with itself: this shows "
+        "that the scaling holds in the model, not that the model is the powder.");
+    limits.push_back("Heaps by " + heaps_by(*v.similarity) + ".");
     return limits;
 }
 

@@ -34,6 +34,10 @@ std::string described(const rigs::PileSetup& s) {
                                    p.rolling_friction, p.restitution})
             add(value);
         text += p.rigid_tangential ? " rigid" : " elastic";
+        if (p.as_lammps) {
+            text += " sds";
+            add(p.as_lammps->rolling_stiffness), add(p.as_lammps->rolling_damping);
+        }
     };
     add_laws(s.grains), add_laws(s.walls);
     for (const rigs::PairParameters& pair : s.materials.pairs) {
@@ -68,8 +72,8 @@ std::optional<double> two_h_over_d(const PileSample& s) {
     return std::nullopt;
 }
 
-PileSample sample_of(const rigs::PileRun& run, const PileJob& job, double seconds) {
-    const rigs::PileRecord record = rigs::record(run, job.setup);
+PileSample sample_of(const rigs::PileEnd& end, const PileJob& job, double seconds) {
+    const rigs::PileRecord& record = end.record;
     PileSample sample;
     sample.name = job.name;
     sample.seed = job.seed;
@@ -95,7 +99,7 @@ PileSample sample_of(const rigs::PileRun& run, const PileJob& job, double second
         sample.profile_r.push_back(record.profile.r[k] / record.grain_diameter);
         sample.profile_z.push_back(record.profile.z[k] / record.grain_diameter);
     }
-    sample.hash = dem_min::state_hash(run.simulation, job.unit_of_length, job.unit_of_time);
+    sample.hash = dem_min::state_hash(end.run.simulation, job.unit_of_length, job.unit_of_time);
     return sample;
 }
 
@@ -210,25 +214,38 @@ double expected_grain_steps(const rigs::PileSetup& s) {
            (static_cast<double>(rigs::expected_steps(s)) - 0.5 * feeding);
 }
 
+// Nothing where it was stopped. `show` hears how many steps are done.
+std::optional<rigs::PileEnd> run_here(const Queue& queue, const rigs::PileSetup& setup,
+                                      const std::function<void(std::int64_t)>& show) {
+    rigs::PileRun run = rigs::begin_pile(setup, 1);
+    while (!run.finished && !queue.stopped()) {
+        rigs::advance(run, setup, steps_at_a_time);
+        show(run.simulation.steps);
+    }
+    if (!run.finished) return {};
+    rigs::PileRecord record = rigs::record(run, setup);
+    return rigs::PileEnd{std::move(run), std::move(record)};
+}
+
 void run_one(Queue& queue, std::size_t index) {
     const PileJob& job = queue.jobs[index];
+    rigs::PileEngine* engine = queue.campaign.engine;
     const auto start = std::chrono::steady_clock::now();
     const double expected = expected_grain_steps(job.setup);
-    const std::int64_t most = rigs::expected_steps(job.setup);
-    rigs::PileRun run = rigs::begin_pile(job.setup, 1);
-    while (!run.finished && !queue.stopped()) {
-        rigs::advance(run, job.setup, steps_at_a_time);
+    const auto most = static_cast<double>(rigs::expected_steps(job.setup));
+    const auto show = [&](std::int64_t steps) {
         const std::lock_guard lock(queue.mutex);
-        queue.done[index] = expected * std::min(1.0, static_cast<double>(run.simulation.steps) /
-                                                         static_cast<double>(most));
+        queue.done[index] = expected * std::min(1.0, static_cast<double>(steps) / most);
         queue.tell("");
-    }
-    if (!run.finished) return;
+    };
+    const std::optional<rigs::PileEnd> end =
+        engine != nullptr ? engine->run(job.setup, show) : run_here(queue, job.setup, show);
+    if (!end) return;
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    const PileSample sample = sample_of(run, job, seconds.count());
+    const PileSample sample = sample_of(*end, job, seconds.count());
     const std::lock_guard lock(queue.mutex);
     if (!queue.campaign.remembered_in.empty())
-        remember(sample, file_of(job, queue.campaign.remembered_in));
+        remember(sample, file_of(job, queue.campaign.remembered_in, engine));
     queue.samples[index] = sample;
     queue.done[index] = expected;
     queue.tell(job.name);
@@ -254,9 +271,12 @@ void work(Queue& queue) {
 
 }  // namespace
 
-std::filesystem::path file_of(const PileJob& job, const std::filesystem::path& folder) {
+std::filesystem::path file_of(const PileJob& job, const std::filesystem::path& folder,
+                              const rigs::PileEngine* engine) {
     const std::string units = fmt::format(" units {:a} {:a}", job.unit_of_length, job.unit_of_time);
-    return folder / fmt::format("{}-{:016x}.txt", job.name, fnv1a(described(job.setup) + units));
+    const std::string by = engine != nullptr ? " by " + engine->key(job.setup) : "";
+    return folder /
+           fmt::format("{}-{:016x}.txt", job.name, fnv1a(described(job.setup) + units + by));
 }
 
 std::vector<PileSample> run_piles(const std::vector<PileJob>& jobs, const Campaign& campaign) {
@@ -267,12 +287,14 @@ std::vector<PileSample> run_piles(const std::vector<PileJob>& jobs, const Campai
     for (std::size_t k = 0; k < jobs.size(); ++k) {
         const double expected = expected_grain_steps(jobs[k].setup);
         queue.total += expected;
+        const auto file = file_of(jobs[k], campaign.remembered_in, campaign.engine);
         if (campaign.remembered_in.empty()) continue;
-        queue.samples[k] = remembered(jobs[k], file_of(jobs[k], campaign.remembered_in));
+        queue.samples[k] = remembered(jobs[k], file);
         if (queue.samples[k]) queue.done[k] = expected;
     }
     std::vector<std::thread> workers;
-    for (int k = 0; k < campaign.threads; ++k) workers.emplace_back([&] { work(queue); });
+    const int piles_at_a_time = campaign.engine != nullptr ? 1 : campaign.threads;
+    for (int k = 0; k < piles_at_a_time; ++k) workers.emplace_back([&] { work(queue); });
     for (std::thread& worker : workers) worker.join();
     if (queue.fault) std::rethrow_exception(queue.fault);
     std::vector<PileSample> samples;

@@ -3,7 +3,7 @@
 // interrupted campaign goes on where it stopped.
 #pragma once
 
-#include "rigs/pile.hpp"
+#include "rigs/pile_engine.hpp"
 
 #include <array>
 #include <atomic>
@@ -43,17 +43,20 @@ struct PileSample {
 
 struct Campaign {
     int threads = 1;                      // piles at a time, each on one thread
+    rigs::PileEngine* engine = nullptr;   // who runs them, one after the other; none: our own core
     std::filesystem::path remembered_in;  // folder; empty: nothing is remembered
     // Called from one thread at a time: grains-steps done, of how many, and the pile that has just ended (or empty).
     std::function<void(double done, double of, const std::string& ended)> progress;
     const std::atomic<bool>* stop = nullptr;  // set by an interrupt: finished piles stay remembered
 };
 
-// In the order of `jobs`. Throws Interrupted if `stop` was set before all had finished.
+// In the order of `jobs`. Throws Interrupted if `stop` was set before all had finished, and scaling::InvalidInput, before any runs, for
+// what the engine cannot take.
 struct Interrupted {};
 std::vector<PileSample> run_piles(const std::vector<PileJob>& jobs, const Campaign&);
 
-// The file of a remembered pile: its name and a fingerprint of its whole setup, so that a changed setup is run anew.
-std::filesystem::path file_of(const PileJob&, const std::filesystem::path& folder);
+// The file of a remembered pile: its name and a fingerprint of its whole setup and of who runs it, so that another one is run anew.
+std::filesystem::path file_of(const PileJob&, const std::filesystem::path& folder,
+                              const rigs::PileEngine* engine = nullptr);
 
 }  // namespace verify

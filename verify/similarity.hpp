@@ -23,7 +23,8 @@ namespace verify {
 struct ReferenceHeap {
     double base = 20.0, drop_height = 50.0, feed_diameter = 22.0;
     int grains = 1500;
-    double elasticity = 1e5;  // E/(rho g d), softened equally on both sides
+    double elasticity = 1e5;    // E/(rho g d), softened equally on both sides
+    bool lammps_rules = false;  // rigs::take_lammps_rules
 };
 
 // d, density, Poisson ratio, frictions and restitution of the case; one size, as in the paper. The work of adhesion is such that
@@ -45,13 +46,15 @@ struct SimilarityResult {
     std::vector<Comparison> comparisons;
     std::vector<scaling::Finding> findings;  // of the softened grain on both sides
     double seconds = 0.0;
+    std::string engine{};  // who ran the heaps; empty: our own core
 };
 
 enum class Extent { small, standard, full };
 
-// small: the bits pairs and kept_gravity at the case's h with 3 seeds. standard: the same with the seeds that give 95 % power.
+// small: the bits pairs (of our own core alone) and kept_gravity at the case's h with 3 seeds. standard: the same with the seeds that give 95 % power.
 // full: also the other undistorted schemes, the two controls that must fail (w off by 30 %, friction off by 20 %) and the
 // scheme `paper` under every invariant.
-SimilarityResult similarity(const cases::Case&, Extent, std::uint64_t first_seed, const Campaign&);
+SimilarityResult similarity(const cases::Case&, Extent, std::uint64_t first_seed, const Campaign&,
+                            const ReferenceHeap& = {});
 
 }  // namespace verify

@@ -198,6 +198,15 @@ TEST_CASE("export: a deck and a script for SLURM, the deck that simulate runs", 
     CHECK(contents(f / "deck/pile-lammps/deck.in").find("pair_style granular") !=
           std::string::npos);
     CHECK(std::filesystem::exists(f / "deck/pile-lammps/feed/1.data"));
+    CHECK(o.err.find("estimate: 30 grains") != std::string::npos);
+    CHECK(script.find("#SBATCH --time=1:00:00\n") != std::string::npos);  // seconds: the least
+    // A thousand times the grains, fed a thousand times as long.
+    const std::string large =
+        f.write("large.json", tiny_case("\"grains\": 300", "\"grains\": 30000"));
+    const Outcome more = similitude({"export", large, "--engine", "lammps", "--out", f / "large",
+                                     "--submit", "slurm", "--ranks", "2"});
+    REQUIRE(more.code == 0);
+    CHECK(contents(f / "large/pile-lammps/job.sh").find("--time=1:00:00\n") == std::string::npos);
     const Outcome other = similitude({"export", path, "--engine", "yade"});
     CHECK(other.code == 2);
     CHECK(other.err.find("must be lammps") != std::string::npos);

@@ -63,3 +63,16 @@ TEST_CASE("verify: --sleep needs a pile with a count of grains", "[app][verify][
           2);
     CHECK(similitude({"verify", path, "--seeds", "3"}).code == 2);
 }
+
+TEST_CASE("verify: heaps are run by another engine only where it can take their rules",
+          "[app][verify][lammps][input]") {
+    const Folder f;
+    const std::string zirconia = "data/zirconia/case.json";
+    const Outcome o =
+        similitude({"verify", zirconia, "--small", "--engine", "lammps", "--out", f / "out"});
+    CHECK(o.code == 2);  // without lmp installed, that
+    CHECK(o.err.find("lammps") != std::string::npos);
+    CHECK(similitude({"verify", zirconia, "--ranks", "2", "--out", f / "out"}).code == 2);
+    CHECK(similitude({"verify", "--exact", "--engine", "lammps"}).code == 2);
+    CHECK(similitude({"verify", "--against", "lammps", "--contact", "lammps"}).code == 2);
+}
