@@ -54,6 +54,11 @@ bool holds(const Calibration& c) {
     return true;
 }
 
+double share_of_range(const Factor& f, double value) {
+    return f.logarithmic ? std::log(value / f.low) / std::log(f.high / f.low)
+                         : (value - f.low) / (f.high - f.low);
+}
+
 std::optional<Slice> slice(const Calibration& c, std::size_t target, std::size_t factor,
                            int points) {
     const Problem& p = c.pile.problem;

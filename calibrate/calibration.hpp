@@ -36,6 +36,9 @@ std::optional<Confirmation> confirmed(const Calibration&, std::size_t target);
 // Where all measured targets are met by the confirming heaps.
 bool holds(const Calibration&);
 
+// Where in a factor's range a value lies, 0 to 1; of its logarithm where the factor is logarithmic.
+double share_of_range(const Factor&, double value);
+
 // A target along one factor, the others as in the answer, by the surrogate of all runs.
 struct Slice {
     std::vector<double> at;               // of the factor, in its unit

@@ -126,6 +126,8 @@ Offer offered(const Surrogate& s, const Posterior& p, std::size_t target) {
         for (std::size_t f = 0; f < offer.shrinkage.size(); ++f)
             offer.shrinkage[f] += spread[static_cast<Index>(f)] / asked;
     }
+    offer.bits =
+        std::max(offer.bits, 0.0);  // sums of 64 parts may come out below the least there is
     for (double& x : offer.shrinkage) x = std::sqrt(std::max(x, 0.0)) / prior_deviation;
     return offer;
 }

@@ -31,9 +31,9 @@ std::string between(const Factor& f, const statistics::Interval& i) {
     return fmt::format("{} to {}", of_factor(f, i.low), of_factor(f, i.high));
 }
 
-// A factor's interval says nothing where it is the range, to a tenth of it.
+// 95 % of a uniform prior is 0.95 of its range: an interval that is hardly narrower says nothing.
 bool fixed(const Factor& f, const statistics::Interval& i) {
-    return i.high - i.low < 0.9 * (f.high - f.low);
+    return calibrate::share_of_range(f, i.high) - calibrate::share_of_range(f, i.low) < 0.9;
 }
 
 TextTable factor_table(const Calibration& c) {
@@ -54,8 +54,8 @@ TextTable factor_table(const Calibration& c) {
             continue;
         }
         std::string effect = "none";
-        for (const calibrate::Effect& e :
-             c.paper ? c.paper->ranking : std::vector<calibrate::Effect>{})
+        for (const calibrate::PaperEffect& e :
+             c.paper ? c.paper->ranking : std::vector<calibrate::PaperEffect>{})
             if (e.factor == f.name) effect = of_target(c.pile.problem.targets[0], e.value);
         table.back().push_back(effect);
     }
@@ -90,6 +90,15 @@ TextTable target_table(const Calibration& c) {
                          there ? there->agrees ? "yes" : "no" : "no heap formed"});
     }
     return table;
+}
+
+std::string fixed_words(const Calibration& c) {
+    if (!c.surrogate) return "One value each, without an interval";
+    std::size_t count = 0;
+    for (std::size_t k = 0; k < c.surrogate->free.size(); ++k)
+        count += fixed(c.pile.problem.factors[k], c.surrogate->free[k]);
+    return fmt::format("{} of {} are fixed while the others are free", count,
+                       c.surrogate->free.size());
 }
 
 std::size_t formed(const std::vector<Run>& runs) {
@@ -156,7 +165,7 @@ Json json_of(const calibrate::SurrogateResult& r) {
 
 Json json_of(const calibrate::PaperResult& r) {
     Json ranking = Json::array();
-    for (const calibrate::Effect& e : r.ranking)
+    for (const calibrate::PaperEffect& e : r.ranking)
         ranking.push_back({{"factor", e.factor}, {"effect", e.value}});
     Json line;
     if (r.line)
@@ -243,7 +252,7 @@ Page page_of(const cases::Case& given, const Calibration& c, const Provenance& w
     RunSection result{"What was met", page.verdict, notes_of(c), {}, target_table(c), {}};
     result.figure = confirmation_figure(c);
     RunSection parameters{"What the parameters are",
-                          {page.verdict.answer, "", ""},
+                          {page.verdict.answer, fixed_words(c), ""},
                           {},
                           range_figure(c),
                           factor_table(c),

@@ -97,11 +97,7 @@ Figure range_figure(const Calibration& c) {
     std::vector<IntervalRow> rows;
     const auto& factors = c.pile.problem.factors;
     for (std::size_t k = 0; k < factors.size(); ++k) {
-        const auto share = [&](double v) {
-            const Factor& f = factors[k];
-            return f.logarithmic ? std::log(v / f.low) / std::log(f.high / f.low)
-                                 : (v - f.low) / (f.high - f.low);
-        };
+        const auto share = [&](double v) { return calibrate::share_of_range(factors[k], v); };
         const auto& i = c.surrogate->free[k];
         rows.push_back({words(factors[k].name),
                         share(c.surrogate->answer[static_cast<Eigen::Index>(k)]),
@@ -110,11 +106,12 @@ Figure range_figure(const Calibration& c) {
                         {},
                         0});
     }
-    return {interval_svg("What the recordings fix",
-                         "Each parameter's answer and 95 % interval as a share of its range.",
-                         "share of the range, 0 to 1", rows, "ranges"),
-            "Answer and 95 % with the other parameters free. An interval from end to end: these "
-            "recordings say nothing of it."};
+    return {
+        interval_svg("What the recordings fix",
+                     "Each parameter's answer and 95 % interval as a share of its range.",
+                     "share of the range, 0 to 1", rows, "ranges"),
+        "Answer and 95 % with the other parameters free, on a logarithmic range where that spans a "
+        "decade. An interval from end to end: these recordings say nothing of it."};
 }
 
 std::vector<Figure> response_figures(const Calibration& c, std::size_t target) {

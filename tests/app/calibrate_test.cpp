@@ -34,12 +34,88 @@ TEST_CASE("calibrate --replay: every printed number, the rank and the null vecto
         CHECK_THAT(page, Contains(part));
 }
 
+namespace {
+
+// A case of small heaps whose friction is free, and its recording, in a folder.
+std::string small_calibration(const Folder& f) {
+    f.write("angles.csv", "angle_of_repose [deg],estimator\n29,two_h_over_d\n31,two_h_over_d\n");
+    return f.write("case.json", R"({
+  "format": "similitude-case/1",
+  "title": "beads on a small plate",
+  "grain": {"diameter": "4 mm", "density": "1200 kg/m^3", "youngs_modulus": "2 MPa", "poisson_ratio": 0.3},
+  "plate": {"youngs_modulus": "200 GPa", "poisson_ratio": 0.3},
+  "surroundings": {"gravity": "9.81 m/s^2"},
+  "model": {"physics": ["gravity", "hertz_mindlin", "rolling_resistance"],
+    "parameters": {"restitution": {"value": 0.4},
+                   "sliding_friction": {"value": 0.5, "range": [0.2, 0.9]},
+                   "rolling_friction": {"value": 0.2, "range": [0.1, 0.5]}}},
+  "experiments": [{"id": "heap", "rig": "pile",
+    "conditions": {"base": "flat", "base_diameter": "48 mm", "grains": 500},
+    "recording": "angles.csv"}]
+})");
+}
+
+// Without what a run's clock and command say.
+nlohmann::ordered_json result_of(const Outcome& o) {
+    nlohmann::ordered_json json = o.json();
+    json.erase("tool");
+    return json;
+}
+
+}  // namespace
+
+TEST_CASE("calibrate: killed and resumed, on one thread or two, the answer is the same",
+          "[app][calibrate][resume]") {
+    const Folder f;
+    const std::string path = small_calibration(f);
+    const auto arguments = [&](const std::string& out, const std::string& threads) {
+        return std::vector<std::string>{"calibrate", path,      "--budget", "6", "--confirm",
+                                        "2",         "--quiet", "--json",   "-", "--threads",
+                                        threads,     "--out",   f / out};
+    };
+    const Outcome whole = similitude(arguments("whole", "2"));
+    INFO(whole.err);
+    REQUIRE((whole.code == 0 || whole.code == 3));
+    const auto result = result_of(whole);
+    CHECK(result["runs"].size() == 8);
+    CHECK(result["road"] == "surrogate");
+    CHECK(result["estimator"] == "two_h_over_d");
+    CHECK(result["targets"][0]["measured"] == Approx(30.0));
+    CHECK(result["targets"][0]["standard_deviation"] == Approx(1.0));
+
+    const Outcome stopped = similitude(arguments("parts", "1"), 1500);
+    REQUIRE(stopped.code == 130);
+    CHECK_THAT(stopped.err, Contains("--resume"));
+    std::vector<std::string> again = arguments("parts", "1");
+    again.emplace_back("--resume");
+    CHECK(result_of(similitude(again)) == result);
+    CHECK(contents(f / "parts/runs.csv") == contents(f / "whole/runs.csv"));
+}
+
+TEST_CASE("calibrate: the paper's road ends with a ranking and a page", "[app][calibrate]") {
+    const Folder f;
+    const Outcome o =
+        similitude({"calibrate", small_calibration(f), "--road", "paper", "--confirm", "2",
+                    "--quiet", "--json", "-", "--out", f / "out", "--report", f / "page.html"});
+    INFO(o.err);
+    REQUIRE((o.code == 0 || o.code == 3 || o.code == 4));
+    CHECK(o.json()["paper"]["ranking"].size() == 2);
+    CHECK_THAT(contents(f / "page.html"), Contains("effect in the screening"));
+}
+
 TEST_CASE("calibrate: what is missing is asked for", "[app][calibrate][input]") {
     const Folder f;
-    const Outcome plain = similitude({"calibrate", "data/zirconia/case.json"});
-    CHECK(plain.code == 2);
-    CHECK_THAT(plain.err, Contains("--replay"));
-    const std::string path = f.write("case.json", tiny_case());
+    const std::string small = small_calibration(f);
+    const Outcome road = similitude({"calibrate", small, "--road", "shorter"});
+    CHECK(road.code == 2);
+    CHECK_THAT(road.err, Contains("--road") && Contains("surrogate"));
+    const Outcome pile = similitude({"calibrate", small, "--experiment", "heaps"});
+    CHECK(pile.code == 2);
+    CHECK_THAT(pile.err, Contains("heap"));
+    const Outcome funnel = similitude({"calibrate", "data/zirconia/case.json"});
+    CHECK(funnel.code == 2);
+    CHECK_THAT(funnel.err, Contains("grains"));
+    const std::string path = f.write("tiny.json", tiny_case());
     const Outcome none = similitude({"calibrate", path, "--replay"});
     CHECK(none.code == 2);
 }
