@@ -2,20 +2,12 @@
 #include "engines/lammps_pile.hpp"
 
 #include "engines/bed_lammps.hpp"
-#include "engines/lammps_files.hpp"
-#include "engines/lammps_run.hpp"
+#include "engines/pile_feed.hpp"
 #include "engines/process.hpp"
-#include "scaling/errors.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <limits>
-#include <numbers>
-#include <sstream>
-#include <stdexcept>
 
 namespace engines {
 namespace {
@@ -23,98 +15,34 @@ namespace {
 using dem_min::Grain;
 using rigs::PileSetup;
 
-constexpr int rest_check_interval = 100;  // steps, as in rigs/pile.cpp
-constexpr double most_damping = 0.12;     // e below which the polynomial of `tsuji` ends
-constexpr double at_rest_below = 1e-6;    // of m g d
+constexpr double most_damping = 0.12;  // e below which the polynomial of `tsuji` ends
 
-[[noreturn]] void refuse(const std::string& option, const std::string& what,
-                         const std::string& remedy) {
-    throw scaling::InvalidInput(scaling::mistake(option, "lammps", what, remedy));
-}
+// Of one batch.
+constexpr const char* reading =
+    R"(read_data feed/${batch}.data add append shift 0 0 ${up} group fresh
+velocity fresh set NULL NULL v_fall units box
+group loose type 1
+group fresh clear
+)";
 
 bool sticky(const rigs::ContactParameters& c) { return c.work_of_adhesion > 0.0; }
 
-void refuse_what_lammps_has_not(const PileSetup& s, const std::string& option) {
-    const char* ours = "leave the option out: dem_min runs it";
-    const rigs::PileConditions& c = s.conditions;
+void refuse_what_lammps_has_not(const PileSetup& s, const DeckOptions& o) {
+    if (o.nearest)
+        refuse(o, "lammps", "has the laws of --contact lammps: no nearest is needed",
+               "say --contact lammps");
     if (!s.grains.as_lammps &&
         (sticky(s.grains) || s.grains.rolling_friction > 0.0 || s.walls.rolling_friction > 0.0))
-        refuse(option, "has no EPSD rolling and does not tear off at the fold",
+        refuse(o, "lammps", "has no EPSD rolling and does not tear off at the fold",
                "say --contact lammps: SDS rolling and tear-off at the deepest tension, on either "
                "engine");
-    if (s.grains.rigid_tangential) refuse(option, "has no rigid friction (hertz_coulomb)", ours);
-    if (c.base != rigs::Base::glued_grains)
-        refuse(
-            option,
-            "damps walls by another dashpot in every run of a deck (damping tsuji), and the feed "
-            "has a run for every batch",
-            "take glued_grains for the base, or leave the option out");
-    if (!s.materials.pairs.empty()) refuse(option, "is told of one material only", ours);
-    if (c.funnel || !c.meshes.empty()) refuse(option, "is told of no funnel and no mesh", ours);
-    if (s.sleep_speed > 0.0) refuse(option, "does not sleep", "leave --sleep out");
-    refuse_restitution(s.grains.restitution, option);
-}
-
-double density_of(const PileSetup& s) {
-    return s.materials.density.empty() ? s.density : s.materials.density.front();
-}
-
-// How far a grain that appeared at `since` has fallen at `t`.
-double fallen(const PileSetup& s, double since, double t) {
-    return 0.5 * s.gravity * (t - since) * (t - since);
-}
-
-// Heights at which grains appear over a heap that is below its feed, m: the lowest at which a grain is clear of those still in
-// flight, both when it appears and when its batch is read. Between two grains in flight the distance grows in a straight line.
-std::vector<double> feed_heights(const PileSetup& s, const std::vector<FeedBatch>& batches) {
-    const std::size_t count = s.feed_time.size();
-    std::vector<double> z(count);
-    std::size_t oldest = 0;
-    for (const FeedBatch& batch : batches) {
-        const double read = static_cast<double>(batch.step) * s.time_step;
-        for (std::size_t k = batch.first; k <= batch.last; ++k) {
-            z[k] = s.conditions.drop_height + s.radius[k];
-            // What fell for so long is below by more than two grains and the lift of the highest.
-            while (s.feed_time[oldest] < s.feed_time[k] &&
-                   z[oldest] - fallen(s, s.feed_time[oldest], s.feed_time[k]) < z[k] - 4.0 * s.d &&
-                   oldest < k)
-                ++oldest;
-            for (bool moved = true; moved;) {
-                moved = false;
-                for (std::size_t j = oldest; j < k; ++j) {
-                    const double reach = 1.001 * (s.radius[j] + s.radius[k]);
-                    const double dx = s.feed_x[j] - s.feed_x[k], dy = s.feed_y[j] - s.feed_y[k];
-                    const double level = reach * reach - dx * dx - dy * dy;
-                    if (level <= 0.0) continue;
-                    const auto gap = [&](double t) {  // how far j is above k
-                        return z[j] - fallen(s, s.feed_time[j], t) - z[k] +
-                               fallen(s, s.feed_time[k], t);
-                    };
-                    const double now = gap(s.feed_time[k]), then = gap(read);
-                    const double apart = std::sqrt(level);
-                    if (std::min(now, then) >= apart || std::max(now, then) <= -apart) continue;
-                    z[k] += (std::max(now, then) + apart) * 1.001;
-                    moved = true;
-                }
-            }
-        }
-    }
-    return z;
-}
-
-Box box_of(const PileSetup& s) {
-    const double wide =
-        0.5 * std::max(s.conditions.base_diameter, s.conditions.feed_diameter) + 10.0 * s.d;
-    return {{-wide, -wide, s.lost_below}, {wide, wide, s.conditions.drop_height + 40.0 * s.d}};
-}
-
-std::vector<Grain> glued(const PileSetup& s) {
-    std::vector<Grain> grains;
-    const rigs::PileRun start = rigs::begin_pile(s, 1);
-    const dem_min::Particles& p = start.simulation.grains;
-    for (std::size_t k = 0; k < p.count(); ++k)
-        grains.push_back({p.position(k), {}, {}, p.radius[k], s.density, true});
-    return grains;
+    if (s.conditions.base != rigs::Base::glued_grains)
+        refuse(o, "lammps",
+               "damps walls by another dashpot in every run of a deck (damping tsuji), and the "
+               "feed has a run for every batch",
+               "take glued_grains for the base, or leave the option out");
+    refuse_rig_of_our_own(s, o, "lammps");
+    refuse_restitution(s.grains.restitution, o);
 }
 
 // A data file whose charges are the upward velocities: with several ranks, LAMMPS crashes on a section Velocities that is added to
@@ -133,20 +61,8 @@ std::string added_data(const std::vector<Grain>& grains, const Box& box) {
     return text;
 }
 
-std::string batch_text(const PileSetup& s, const FeedBatch& batch, const std::vector<double>& z) {
-    const double read = static_cast<double>(batch.step) * s.time_step;
-    std::vector<Grain> grains;
-    for (std::size_t k = batch.first; k <= batch.last; ++k)
-        grains.push_back({{s.feed_x[k], s.feed_y[k], z[k] - fallen(s, s.feed_time[k], read)},
-                          {0.0, 0.0, -s.gravity * (read - s.feed_time[k])},
-                          {},
-                          s.radius[k],
-                          density_of(s)});
-    return added_data(grains, box_of(s));
-}
-
 std::string head(const PileSetup& s) {
-    const Box box = box_of(s);
+    const Box box = pile_box(s);
     // The margin must hold a neck that is stretched: LAMMPS ends it where the list is made anew and has lost the pair.
     return fmt::format(
         R"(# The rig pile of similitude in LAMMPS, release of 29 Sep 2021: lmp -in deck.in, or mpirun -np N lmp -in deck.in.
@@ -182,59 +98,6 @@ fix hold glued freeze
         fmt::arg("dt", s.time_step), fmt::arg("g", s.gravity));
 }
 
-// What the loops below ask: kinetic energy over m g d, top of the heap, of all.
-std::string questions(const PileSetup& s) {
-    const double mass = s.density * (std::numbers::pi / 6.0) * (s.d * s.d * s.d);
-    return fmt::format(R"(
-compute kinetic loose ke
-compute radius all property/atom radius
-compute touching all contact/atom
-variable restless equal c_kinetic/((count(loose)+(count(loose)==0))*{unit:.17g})
-# Heap: grains that touch another and are slow.
-variable heap atom (c_touching>0)*((vx*vx+vy*vy+vz*vz)<{slow:.17g})*(z+c_radius+{two_d:.17g})
-variable any atom z+c_radius+{room:.17g}
-compute top loose reduce max v_heap v_any
-thermo 2000
-thermo_style custom step atoms c_kinetic c_top[1] c_top[2]
-# What falls below the base or flies off is gone.
-thermo_modify lost ignore flush yes
-)",
-                       fmt::arg("unit", mass * s.gravity * s.d),
-                       fmt::arg("slow", 0.25 * s.gravity * s.d), fmt::arg("two_d", 2.0 * s.d),
-                       fmt::arg("room", 0.6 * s.d));
-}
-
-std::string feed_loop(const PileSetup& s, std::size_t batches) {
-    return fmt::format(R"(
-# The feed: batch k is read at the k-th step of feed-steps.txt, shifted up where the heap has grown to within 2 d of it,
-# and down again only when it meets none of those read before.
-variable up string 0
-variable fall atom q
-variable batch loop {n}
-variable due file feed-steps.txt
-label feed
-run ${{due}} upto post no
-variable heap_up equal c_top[1]-{mouth:.17g}
-variable any_up equal c_top[2]-{mouth:.17g}
-if "${{any_up}} < ${{up}}" then "variable up string ${{any_up}}"
-if "${{heap_up}} > ${{up}}" then "variable up string ${{heap_up}}"
-if "${{up}} < 0" then "variable up string 0"
-read_data feed/${{batch}}.data add append shift 0 0 ${{up}} group fresh
-group loose type 1
-velocity fresh set NULL NULL v_fall units box
-group fresh clear
-if "${{batch}} < {n}" then "next due"
-next batch
-jump SELF feed
-)",
-                       fmt::arg("n", batches), fmt::arg("mouth", s.conditions.drop_height));
-}
-
-std::int64_t steps_in(const PileSetup& s, double duration) {
-    return static_cast<std::int64_t>(std::ceil(duration / s.time_step / rest_check_interval) *
-                                     rest_check_interval);
-}
-
 std::string rest_loop(const PileSetup& s) {
     return fmt::format(R"deck(
 # At rest: below 1e-6 m g d a grain without a break for {still} steps.
@@ -261,18 +124,8 @@ write_dump all custom final.dump id type x y z vx vy vz omegax omegay omegaz rad
 write_data final.data nocoeff
 )deck",
                        fmt::arg("check", rest_check_interval), fmt::arg("limit", at_rest_below),
-                       fmt::arg("longest", steps_in(s, s.longest)),
-                       fmt::arg("still", steps_in(s, s.rest_duration)));
-}
-
-bool read_progress(const std::string& line, LammpsProgress& p) {
-    long long step = 0, grains = 0;
-    double kinetic = 0.0, heap = 0.0, any = 0.0;
-    if (std::sscanf(line.c_str(), " %lld %lld %lf %lf %lf", &step, &grains, &kinetic, &heap,
-                    &any) != 5)
-        return false;
-    p = {step, grains, kinetic};
-    return true;
+                       fmt::arg("longest", whole_checks(s, s.longest)),
+                       fmt::arg("still", whole_checks(s, s.rest_duration)));
 }
 
 }  // namespace
@@ -293,118 +146,77 @@ std::string granular_arguments(const rigs::ContactParameters& c) {
     return text;
 }
 
-std::vector<FeedBatch> feed_batches(const PileSetup& s) {
-    const double longest = std::sqrt(s.d / s.gravity);  // falls d/2
-    std::vector<FeedBatch> batches;
-    for (std::size_t k = 0; k < s.feed_time.size(); ++k) {
-        const auto due = static_cast<std::int64_t>(std::ceil(s.feed_time[k] / s.time_step));
-        if (batches.empty() || s.feed_time[k] > s.feed_time[batches.back().first] + longest)
-            batches.push_back({k, k, due});
-        batches.back().last = k;
-        batches.back().step = due;
-    }
-    return batches;
-}
-
-void refuse_restitution(double restitution, const std::string& option) {
+void refuse_restitution(double restitution, const DeckOptions& o) {
     if (restitution < most_damping)
-        refuse(option, "cannot damp below a restitution of 0.12 (damping tsuji ends there)",
+        refuse(o, "lammps", "cannot damp below a restitution of 0.12 (damping tsuji ends there)",
                "take a higher restitution, or leave the option out");
 }
 
-LammpsDeck lammps_pile(const PileSetup& s, const std::string& option) {
-    refuse_what_lammps_has_not(s, option);
+std::string pile_questions(const PileSetup& s) {
+    return fmt::format(R"(
+compute kinetic loose ke
+compute radius all property/atom radius
+compute touching all contact/atom
+variable restless equal c_kinetic/((count(loose)+(count(loose)==0))*{unit:.17g})
+# Heap: grains that touch another and are slow.
+variable heap atom (c_touching>0)*((vx*vx+vy*vy+vz*vz)<{slow:.17g})*(z+c_radius+{two_d:.17g})
+variable any atom z+c_radius+{room:.17g}
+compute top loose reduce max v_heap v_any
+thermo 2000
+thermo_style custom step atoms c_kinetic c_top[1] c_top[2]
+# What falls below the base or flies off is gone.
+thermo_modify lost ignore flush yes
+)",
+                       fmt::arg("unit", energy_unit(s)), fmt::arg("slow", 0.25 * s.gravity * s.d),
+                       fmt::arg("two_d", 2.0 * s.d), fmt::arg("room", 0.6 * s.d));
+}
+
+std::string pile_feed_loop(const PileSetup& s, std::size_t batches, const std::string& reading) {
+    return fmt::format(R"(
+# The feed: batch k is read at the k-th step of feed-steps.txt, shifted up where the heap has grown to within 2 d of it,
+# and down again only when it meets none of those read before.
+variable up string 0
+variable batch loop {n}
+variable due file feed-steps.txt
+label feed
+run ${{due}} upto post no
+variable heap_up equal c_top[1]-{mouth:.17g}
+variable any_up equal c_top[2]-{mouth:.17g}
+if "${{any_up}} < ${{up}}" then "variable up string ${{any_up}}"
+if "${{heap_up}} > ${{up}}" then "variable up string ${{heap_up}}"
+if "${{up}} < 0" then "variable up string 0"
+{reading}if "${{batch}} < {n}" then "next due"
+next batch
+jump SELF feed
+)",
+                       fmt::arg("n", batches), fmt::arg("mouth", s.conditions.drop_height),
+                       fmt::arg("reading", reading));
+}
+
+Deck lammps_pile(const PileSetup& s, const DeckOptions& options) {
+    refuse_what_lammps_has_not(s, options);
     const std::vector<FeedBatch> batches = feed_batches(s);
     const std::vector<double> z = feed_heights(s, batches);
-    LammpsDeck result{head(s) + questions(s) + feed_loop(s, batches.size()) + rest_loop(s), {}};
-    result.files.emplace_back("base.data", added_data(glued(s), box_of(s)));
+    Deck result{"deck.in", head(s) + pile_questions(s) + "\nvariable fall atom q\n" +
+                               pile_feed_loop(s, batches.size(), reading) + rest_loop(s)};
+    result.files.emplace_back("base.data", added_data(glued_grains(s), pile_box(s)));
     std::string steps;
     for (std::size_t k = 0; k < batches.size(); ++k) {
         steps += fmt::format("{}\n", batches[k].step);
-        result.files.emplace_back(fmt::format("feed/{}.data", k + 1), batch_text(s, batches[k], z));
+        result.files.emplace_back(fmt::format("feed/{}.data", k + 1),
+                                  added_data(batch_grains(s, batches[k], z), pile_box(s)));
     }
     result.files.emplace_back("feed-steps.txt", steps);
     return result;
 }
 
-void write_lammps_deck(const LammpsDeck& d, const std::filesystem::path& folder) {
-    std::filesystem::remove_all(folder / "feed");  // batches of a longer feed
-    std::filesystem::remove(folder / "final.dump");
-    std::filesystem::create_directories(folder / "feed");
-    write_text(folder / "deck.in", d.deck);
-    for (const auto& [name, text] : d.files) write_text(folder / name, text);
-}
-
-std::vector<std::string> lammps_pile_command(const std::string& lmp, int ranks) {
+std::vector<std::string> lammps_like_deck_command(const std::string& program, int ranks,
+                                                  const std::string& log) {
     std::vector<std::string> argv = ranks > 1 ? mpirun(ranks) : std::vector<std::string>{};
-    for (const std::string& word : {lmp, std::string("-in"), std::string("deck.in"),
-                                    std::string("-log"), std::string("log.lammps")})
+    for (const std::string& word :
+         {program, std::string("-in"), std::string("deck.in"), std::string("-log"), log})
         argv.push_back(word);
     return argv;
-}
-
-rigs::PileRecord read_lammps_pile(const PileSetup& setup, const std::filesystem::path& folder,
-                                  const std::string& output) {
-    const FinalGrains last = read_final_grains(folder, density_of(setup), "c_touching");
-    rigs::PileRun run = rigs::begin_pile(setup, 1);
-    dem_min::Simulation& s = run.simulation;
-    double contacts = 0.0;
-    std::int64_t loose = 0;
-    for (std::size_t k = 0; k < last.grains.size(); ++k) {
-        if (last.grains[k].fixed) continue;
-        dem_min::insert(s, last.grains[k]);
-        contacts += last.extra[k];
-        ++loose;
-    }
-    run.fed = setup.feed_time.size();
-    run.finished = true;
-    run.at_rest = output.find("similitude: at rest at step") != std::string::npos;
-    s.steps = last.step;
-    s.past.grains_lost = static_cast<std::int64_t>(run.fed) - loose;
-    LammpsProgress now, before;
-    std::istringstream lines(output);
-    for (std::string line; std::getline(lines, line);)
-        if (read_progress(line, now)) {
-            s.past.grain_steps += before.grains * (now.step - before.step);
-            before = now;
-        }
-    rigs::PileRecord record = rigs::record(run, setup);
-    record.coordination = loose > 0 ? contacts / static_cast<double>(loose) : 0.0;
-    if (sticky(setup.grains))
-        record.notes.emplace_back(
-            "coordination counts grains that touch: LAMMPS does not tell of necks that are "
-            "stretched");
-    return record;
-}
-
-LammpsPileRun run_lammps_pile(const std::filesystem::path& lmp, const PileSetup& setup,
-                              const std::filesystem::path& folder, int ranks,
-                              const std::function<void(const LammpsProgress&)>& show) {
-    LammpsPileRun result{};
-    result.command = lammps_pile_command(lmp.string(), ranks);
-    std::size_t read = 0;
-    const auto watch = [&](const std::string& out) {
-        LammpsProgress last;
-        bool any = false;
-        for (std::size_t end; (end = out.find('\n', read)) != std::string::npos; read = end + 1)
-            any = read_progress(out.substr(read, end - read), last) || any;
-        if (any && show) show(last);
-    };
-    const Finished f = run(result.command, folder, std::numeric_limits<double>::infinity(), watch);
-    result.seconds = f.seconds;
-    result.release = lammps_release(f.out.substr(std::min(f.out.find("LAMMPS ("), f.out.size())));
-    const bool whole = f.out.find("similitude: at rest at step") != std::string::npos ||
-                       f.out.find("similitude: given up at step") != std::string::npos;
-    if (f.exit_code == 0 && whole) {
-        result.record = read_lammps_pile(setup, folder, f.out);
-        return result;
-    }
-    result.interrupted = f.stopped;
-    if (!f.stopped)
-        throw std::runtime_error(fmt::format("LAMMPS ended with {}: {} (see {})", f.exit_code,
-                                             lammps_complaint(f.out),
-                                             (folder / "log.lammps").string()));
-    return result;
 }
 
 }  // namespace engines

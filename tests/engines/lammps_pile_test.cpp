@@ -3,6 +3,8 @@
 
 #include "cases/read_case.hpp"
 #include "engines/lammps_run.hpp"
+#include "engines/pile_feed.hpp"
+#include "engines/pile_run.hpp"
 #include "engines/process.hpp"
 #include "scaling/errors.hpp"
 #include "tests/engines/scratch.hpp"
@@ -124,8 +126,8 @@ TEST_CASE("lammps pile: one grain falls in LAMMPS as it does here", "[engines][l
     if (!engines::find_program("lmp")) return;
     const rigs::PileSetup s = small_setup("glued_grains", all_physics, 1);
     const Scratch folder("lammps-pile-one");
-    engines::write_lammps_deck(engines::lammps_pile(s), folder.path);
-    const auto run = engines::run_lammps_pile("lmp", s, folder.path, 1);
+    engines::write_deck(engines::lammps_pile(s), folder.path);
+    const auto run = engines::run_pile(*engines::find_peer("lammps"), "lmp", s, folder.path, 1);
     REQUIRE(run.record);
     CHECK(run.record->at_rest);
     REQUIRE(run.record->heap.centre.size() == 1);
@@ -143,10 +145,10 @@ TEST_CASE("lammps pile: a heap comes back whole, and the lost are counted",
     if (!engines::find_program("lmp") || !engines::find_program("mpirun")) return;
     const rigs::PileSetup s = small_setup("glued_grains", all_physics, 120);
     const Scratch folder("lammps-pile-heap");
-    engines::write_lammps_deck(engines::lammps_pile(s), folder.path);
+    engines::write_deck(engines::lammps_pile(s), folder.path);
     std::int64_t shown = 0;
-    const auto run = engines::run_lammps_pile(
-        "lmp", s, folder.path, 2, [&](const engines::LammpsProgress& p) { shown = p.step; });
+    const auto run = engines::run_pile(*engines::find_peer("lammps"), "lmp", s, folder.path, 2,
+                                       [&](const engines::PileProgress& p) { shown = p.step; });
     CHECK(shown > 0);
     REQUIRE(run.record);
     const rigs::PileRecord& r = *run.record;
@@ -171,11 +173,11 @@ TEST_CASE("lammps pile: a heap comes back whole, and the lost are counted",
 TEST_CASE("lammps pile: an error of LAMMPS is told with its log", "[engines][lammps][pile]") {
     if (!engines::find_program("lmp")) return;
     const rigs::PileSetup s = small_setup("glued_grains", all_physics, 5);
-    engines::LammpsDeck deck = engines::lammps_pile(s);
+    engines::Deck deck = engines::lammps_pile(s);
     deck.deck += "nonsense here\n";
     deck.deck.insert(0, "nonsense here\n");
     const Scratch folder("lammps-pile-error");
-    engines::write_lammps_deck(deck, folder.path);
-    CHECK_THROWS_WITH(engines::run_lammps_pile("lmp", s, folder.path, 1),
+    engines::write_deck(deck, folder.path);
+    CHECK_THROWS_WITH(engines::run_pile(*engines::find_peer("lammps"), "lmp", s, folder.path, 1),
                       Contains("nonsense here") && Contains("log.lammps"));
 }
