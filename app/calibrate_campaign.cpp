@@ -3,8 +3,8 @@
 
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
+#include "app/lammps_cost.hpp"
 #include "app/machine_speed.hpp"
-#include "app/pile_cost.hpp"
 #include "app/progress.hpp"
 #include "calibrate/calibration.hpp"
 #include "cases/csv.hpp"
@@ -24,6 +24,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <memory>
 
 namespace app {
 
@@ -59,12 +60,17 @@ const cases::Experiment& pile_of(const cases::Case& c, const std::string& id) {
 class Campaign {
   public:
     Campaign(const CampaignOptions& o, const cases::Case& c)
-        : options_(o), case_(c), pile_(pile_of(c, o.experiment)), progress_(!o.common.quiet) {
+        : options_(o),
+          case_(c),
+          pile_(pile_of(c, o.experiment)),
+          choice_(choice_of(o.heaps)),
+          remembered_(std::filesystem::path(o.out) / "similitude-heaps"),
+          engine_(engine_of(choice_, remembered_)),
+          progress_(!o.common.quiet) {
         result_.pile =
             calibrate::pile_problem(c, pile_, {o.estimator, o.bulk_density}, o.common.seed);
         calibrate::check(result_.pile.problem);
         refuse_cost();
-        remembered_ = std::filesystem::path(o.out) / "similitude-heaps";
         if (!o.common.resume) std::filesystem::remove_all(remembered_);
         watch_interrupts();
     }
@@ -109,15 +115,18 @@ class Campaign {
 
     rigs::PileSetup setup_of(const Request& r) const {
         const cases::Case there = calibrate::at_point(case_, result_.pile.problem, r.point);
-        return counted_setup(there, *there.find(pile_.id), r.seed, options_.yes);
+        return chosen_setup(there, *there.find(pile_.id), r.seed, options_.yes, choice_);
     }
 
     void refuse_cost() const {
-        const rigs::PileSetup one = counted_setup(case_, pile_, options_.common.seed, options_.yes);
+        const rigs::PileSetup one =
+            chosen_setup(case_, pile_, options_.common.seed, options_.yes, choice_);
         if (options_.yes) return;
         const double work = static_cast<double>(one.feed_time.size()) *
                             static_cast<double>(rigs::expected_steps(one));
-        const double seconds = work / measured_speed(1) * most_runs() / threads();
+        const double of_one = choice_.peer != nullptr ? lammps_cost(one, choice_.ranks).seconds
+                                                      : work / measured_speed(1) / threads();
+        const double seconds = of_one * most_runs();
         if (seconds > longest_unasked)
             throw InvalidInput(mistake(
                 "experiment " + cases::in_quotes(pile_.id),
@@ -131,6 +140,7 @@ class Campaign {
         const double before = static_cast<double>(result_.history.size());
         const double all = most_runs();
         return {.threads = threads(),
+                .engine = engine_.get(),
                 .remembered_in = remembered_,
                 .progress =
                     [this, before, all](double done, double of, const std::string& ended) {
@@ -185,8 +195,10 @@ class Campaign {
     const CampaignOptions& options_;
     const cases::Case& case_;
     const cases::Experiment& pile_;
-    Progress progress_;
+    EngineChoice choice_;
     std::filesystem::path remembered_;
+    std::unique_ptr<rigs::PileEngine> engine_;  // none: our own core
+    Progress progress_;
     Calibration result_{};
     std::map<std::string, int> missed_;  // criterion of a heap, how many failed at it
     double asked_ = 1.0;                 // heaps of the batch that is being poured
@@ -215,6 +227,7 @@ void add_campaign_options(CLI::App& verb, CampaignOptions& o) {
         ->type_name("NAME");
     verb.add_flag("--bulk-density", o.bulk_density,
                   "the case's stated bulk density is to be met as well");
+    add_heaps_engine(verb, o.heaps);
     verb.add_flag("--yes", o.yes, "run even where the estimate says more than 12 hours");
     verb.add_option("--out", o.out, "folder for runs.csv and finished heaps")
         ->type_name("DIR")

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/common.hpp"
+#include "app/heaps_engine.hpp"
 
 #include <string>
 
@@ -13,6 +14,7 @@ struct CampaignOptions {
     std::string path, experiment, out = "out/calibrate";
     std::string road = "surrogate", estimator;  // estimator empty: the recording's
     bool bulk_density = false, yes = false;
+    HeapsEngine heaps;
     int budget = 34;  // runs of the surrogate's road; the paper's road makes those that it has
     int batch =
         2;  // runs that the surrogate's road decides on together; not the number of threads: that changes no answer

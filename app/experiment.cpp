@@ -2,22 +2,15 @@
 #include "app/experiment.hpp"
 
 #include "app/forward_curves.hpp"
-#include "app/interrupt.hpp"
+#include "app/peer_run.hpp"
 #include "app/pile_cost.hpp"
 #include "app/pile_task.hpp"
-#include "app/progress.hpp"
 #include "app/version.hpp"
 #include "cases/csv.hpp"
 #include "cases/messages.hpp"
-#include "engines/lammps_one_grain.hpp"
-#include "engines/lammps_pile.hpp"
-#include "engines/lammps_pile_run.hpp"
-#include "engines/lammps_run.hpp"
-#include "engines/process.hpp"
 #include "reports/numbers.hpp"
 #include "rigs/drop.hpp"
 #include "rigs/forward.hpp"
-#include "rigs/height_map.hpp"
 #include "rigs/single_grain.hpp"
 #include "scaling/errors.hpp"
 
@@ -89,29 +82,6 @@ PileTask pile_task(const Case& c, const Experiment& e, const CommonOptions& o,
     return task;
 }
 
-void write_pile(const std::filesystem::path& folder, const std::string& id,
-                const rigs::PileRecord& record) {
-    const rigs::HeightMap map = rigs::scan(record.heap);
-    cases::Column azimuth{"azimuth", "rad"}, r{"r", "m"}, z{"z", "m"};
-    for (std::size_t k = 0; k < map.azimuths; ++k) {
-        for (std::size_t i = 0; i < map.rings; ++i) {
-            azimuth.values.push_back(map.azimuth(k));
-            r.values.push_back(map.radius(i));
-            z.values.push_back(map.z[k * map.rings + i]);
-        }
-    }
-    cases::write_csv((folder / (id + ".csv")).string(), {azimuth, r, z});
-
-    cases::Column x{"x", "m"}, y{"y", "m"}, height{"z", "m"}, radius{"radius", "m"};
-    for (const contact::Vec3& p : record.heap.centre) {
-        x.values.push_back(p.x);
-        y.values.push_back(p.y);
-        height.values.push_back(p.z);
-    }
-    radius.values = record.heap.radius;
-    cases::write_csv((folder / (id + "-grains.csv")).string(), {x, y, height, radius});
-}
-
 ExperimentRun pile_run(const PileTask& task) {
     const PileOutcome outcome = run_pile(task);
     ExperimentRun run{
@@ -126,99 +96,11 @@ ExperimentRun pile_run(const PileTask& task) {
     return run;
 }
 
-reports::Json engine_json(const std::string& release, int ranks,
-                          const std::vector<std::string>& command,
-                          const std::filesystem::path& deck) {
-    return {{"name", "LAMMPS"},
-            {"version", release},
-            {"ranks", ranks},
-            {"command", engines::command_line(command)},
-            {"deck", (deck.filename() / "deck.in").string()},
-            {"log", (deck.filename() / "log.lammps").string()}};
-}
-
-// The deck stays in ID-lammps/, whatever comes of its run.
-ExperimentRun lammps_run(const PileTask& task, int ranks) {
-    const std::filesystem::path lmp = engines::lammps_program("--engine");
-    const std::filesystem::path deck = task.folder / (task.id + "-lammps");
-    engines::write_lammps_deck(engines::lammps_pile(task.setup), deck);
-    const double expected = static_cast<double>(rigs::expected_steps(task.setup));
-    Progress progress(task.progress);
-    progress.start(0.0);
-    std::int64_t reached = 0;
-    const engines::LammpsPileRun lammps = engines::run_lammps_pile(
-        lmp, task.setup, deck, ranks, [&](const engines::LammpsProgress& p) {
-            reached = p.step;
-            const double step = static_cast<double>(p.step);
-            if (progress.due())
-                progress.show(step, expected,
-                              fmt::format("{} in LAMMPS: step {}, {}, {} grains, kinetic {}",
-                                          task.id, reports::count(step),
-                                          reports::quantity(step * task.setup.time_step, "s"),
-                                          p.grains, reports::quantity(p.kinetic, "J")));
-        });
-    ExperimentRun run{
-        task.id, "pile", lammps.seconds, std::nullopt, {{"interrupted_at_step", reached}}};
-    if (lammps.end) {
-        const rigs::PileRecord& record = lammps.end->record;
-        write_pile(task.folder, task.id, record);
-        run.section = reports::pile_section(task.id, record);
-        run.result = reports::to_json(record);
-    }
-    run.result["engine"] = engine_json(lammps.release, ranks, lammps.command, deck);
-    return run;
-}
-
-// What only our own core can do with a pile.
-void refuse_for_lammps(const CommonOptions& o, const RunPlace& place) {
-    const auto refuse = [](const std::string& option, const std::string& remedy) {
-        throw InvalidInput(mistake(option, "with --engine lammps",
-                                   "must be left out: the run is LAMMPS' own", remedy));
-    };
-    if (!place.dump.formats.empty())
-        refuse("--dump", "add a dump to the deck in ID-lammps/ and run it by hand");
-    if (o.resume) refuse("--resume", "start anew");
-    if (place.sleep) refuse("--sleep", "dem_min has it");
-}
-
 std::function<ExperimentRun()> prepared_pile(const Case& c, const Experiment& e,
                                              const CommonOptions& o, const RunPlace& place) {
     PileTask task = pile_task(c, e, o, place);
-    if (!place.engine.lammps) return [task] { return pile_run(task); };
-    refuse_for_lammps(o, place);
-    engines::lammps_program("--engine");
-    engines::refuse_ranks_without_mpirun(place.engine.ranks);
-    engines::lammps_pile(task.setup);  // says what it cannot take before anything runs
-    return [task, ranks = place.engine.ranks] { return lammps_run(task, ranks); };
-}
-
-// The deck stays in ID-lammps/.
-ExperimentRun lammps_curves_run(const Case& c, const Experiment& e,
-                                const std::filesystem::path& folder) {
-    const std::filesystem::path deck = folder / (e.id + "-lammps");
-    const rigs::Ordinates at = rigs::ordinates_of(e);
-    const engines::LammpsCurvesRun lammps =
-        engines::run_lammps_one_grain(engines::lammps_program("--engine"), c, e, at, deck);
-    ExperimentRun run{e.id, e.rig, lammps.seconds, std::nullopt, {{"rows", at.at.size()}}};
-    if (!lammps.interrupted) {
-        const std::vector<cases::Column> columns = curve_columns(e, lammps.curves, at);
-        cases::write_csv((folder / (e.id + ".csv")).string(), columns);
-        run.section = reports::curves_section(e.id, columns, e.recording ? &*e.recording : nullptr);
-    }
-    run.result["engine"] = engine_json(lammps.release, 1, lammps.command, deck);
-    return run;
-}
-
-std::function<ExperimentRun()> prepared_in_lammps(const Case& c, const Experiment& e,
-                                                  const CommonOptions& o, const RunPlace& place) {
-    refuse_for_lammps(o, place);
-    if (place.engine.ranks > 1)
-        throw InvalidInput(mistake("--ranks", std::to_string(place.engine.ranks),
-                                   "must be 1 for a single grain", "leave --ranks out"));
-    engines::lammps_program("--engine");
-    // Says what it cannot take before anything runs.
-    engines::lammps_one_grain(c, e, rigs::ordinates_of(e));
-    return [&c, &e, folder = place.folder] { return lammps_curves_run(c, e, folder); };
+    if (place.engine.peer != nullptr) return prepared_pile_in_peer(task, o, place);
+    return [task] { return pile_run(task); };
 }
 
 ExperimentRun drop_run(const Experiment& e, const rigs::DropSetup& setup,
@@ -257,23 +139,33 @@ bool has_curves(const Experiment& e) {
 }  // namespace
 
 EngineChoice engine_choice(const std::string& engine, int ranks, const std::string& contact) {
-    const auto one_of = [](const char* option, const std::string& got, const char* a,
-                           const char* b) {
-        if (got != a && got != b)
-            throw InvalidInput(mistake(option, cases::in_quotes(got),
-                                       fmt::format("must be {} or {}", a, b),
-                                       fmt::format("{} is the default", a)));
-        return got == b;
+    const auto one_of = [](const char* option, const std::string& got,
+                           const std::vector<std::string>& known) {
+        if (std::find(known.begin(), known.end(), got) != known.end()) return;
+        std::string list;
+        for (const std::string& name : known)
+            list += (list.empty() ? "" : name == known.back() ? " or " : ", ") + name;
+        throw InvalidInput(mistake(option, cases::in_quotes(got), "must be " + list,
+                                   cases::suggestion(got, known)));
     };
+    std::vector<std::string> names{"dem_min"};
+    for (const engines::Peer& peer : engines::peers()) names.push_back(peer.name);
+    one_of("--engine", engine, names);
+    one_of("--contact", contact, {"own", "lammps", "nearest"});
     EngineChoice choice;
-    choice.lammps = one_of("--engine", engine, "dem_min", "lammps");
-    choice.lammps_rules = one_of("--contact", contact, "own", "lammps");
-    if (ranks != 0 && !choice.lammps)
-        throw InvalidInput(mistake("--ranks", std::to_string(ranks), "must go with --engine lammps",
-                                   "the core takes --threads"));
+    choice.peer = engines::find_peer(engine);
+    choice.lammps_rules = contact == "lammps";
+    choice.nearest = contact == "nearest";
+    if (choice.nearest && choice.peer == nullptr)
+        throw InvalidInput(mistake("--contact", "nearest", "must go with another engine",
+                                   "dem_min has the case's own laws"));
     if (ranks < 0)
         throw InvalidInput(
             mistake("--ranks", std::to_string(ranks), "must be > 0", "1 is the default"));
+    if (ranks != 0 && (choice.peer == nullptr || !choice.peer->ranks))
+        throw InvalidInput(mistake("--ranks", std::to_string(ranks),
+                                   "must go with --engine lammps or liggghts, which run under MPI",
+                                   "leave it out; the core takes --threads"));
     choice.ranks = ranks == 0 ? 1 : ranks;
     return choice;
 }
@@ -292,7 +184,7 @@ bool can_simulate(const Experiment& e) {
 std::function<ExperimentRun()> prepared(const Case& c, const Experiment& e, const CommonOptions& o,
                                         const RunPlace& place) {
     if (e.rig == "pile") return prepared_pile(c, e, o, place);
-    if (place.engine.lammps) return prepared_in_lammps(c, e, o, place);
+    if (place.engine.peer != nullptr) return prepared_in_peer(c, e, o, place);
     if (e.rig == "drop")
         return [&e, setup = rigs::drop_setup(c, e), folder = place.folder] {
             return drop_run(e, setup, folder);

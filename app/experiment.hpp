@@ -5,6 +5,7 @@
 #include "app/common.hpp"
 #include "app/dump.hpp"
 #include "cases/case.hpp"
+#include "engines/peer.hpp"
 #include "reports/runs.hpp"
 #include "rigs/pile.hpp"
 
@@ -28,11 +29,12 @@ struct ExperimentRun {
     std::function<void()> forget = [] {};        // once all results are on disk: the checkpoint
 };
 
-// Who runs a pile, and by which contact rules.
+// Who runs an experiment, and by which contact rules.
 struct EngineChoice {
-    bool lammps = false;        // or our own core
-    int ranks = 1;              // of MPI, for LAMMPS
-    bool lammps_rules = false;  // rigs::take_lammps_rules
+    const engines::Peer* peer = nullptr;  // or our own core
+    int ranks = 1;                        // of MPI
+    bool lammps_rules = false;            // rigs::take_lammps_rules
+    bool nearest = false;                 // the peer's nearest law where it has not the case's
 };
 
 // From --engine, --ranks (0 where not given) and --contact. Throws scaling::InvalidInput.

@@ -6,8 +6,9 @@
 #include "app/lammps_cost.hpp"
 #include "cases/messages.hpp"
 #include "cases/read_case.hpp"
-#include "engines/lammps_one_grain.hpp"
-#include "engines/lammps_pile.hpp"
+#include "engines/nearest.hpp"
+#include "engines/one_throw.hpp"
+#include "engines/process.hpp"
 #include "reports/numbers.hpp"
 #include "rigs/forward.hpp"
 #include "scaling/errors.hpp"
@@ -15,11 +16,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <optional>
-#include <vector>
 
 namespace app {
 
@@ -29,19 +27,21 @@ using scaling::InvalidInput;
 using scaling::mistake;
 
 struct ExportOptions {
-    std::string path, experiment, engine, out = "out", contact = "lammps", submit;
+    std::string path, experiment, engine, out = "out", contact, submit;
     std::uint64_t seed = 1;
-    int ranks = 1;
+    int ranks = 0;
 };
 
 constexpr const char* examples = R"(Examples:
   similitude export my-powder --engine lammps --out runs/deck --seed 3
       deck.in and its data files for every pile, drop, incline and impact, each in runs/deck/ID-lammps
   similitude export my-powder --engine lammps --out runs/deck --submit slurm --ranks 32
-      and job.sh beside each deck: sbatch job.sh)";
+      and job.sh beside each deck: sbatch job.sh
+  similitude export my-powder --engine yade --contact nearest
+      a script for Yade, with DMT in place of JKR; how far off that is goes to stderr)";
 
 // Of the words of the deck's own folder; srun starts the ranks.
-std::string slurm_script(const std::string& id, int ranks, int hours) {
+std::string slurm_script(const std::string& id, const engines::Peer& peer, int ranks, int hours) {
     std::string script = fmt::format(R"(#!/bin/sh
 # Written by similitude, never run on a cluster: add partition, account and modules as yours wants them.
 #SBATCH --job-name={}
@@ -52,22 +52,31 @@ set -eu
 )",
                                      id, ranks, hours);
     script += "cd \"${SLURM_SUBMIT_DIR:-.}\"\n";
-    return script + "exec srun lmp -in deck.in -log log.lammps\n";
+    return script + "exec " + (peer.ranks ? "srun " : "") +
+           engines::command_line(peer.command(peer.program, 1)) + "\n";
 }
 
 struct Exported {
     std::string id;
-    engines::LammpsDeck deck;
-    std::optional<LammpsCost> cost{};  // of a pile
+    engines::Deck deck;
+    std::optional<LammpsCost> cost{};      // of a pile in LAMMPS
+    std::vector<std::string> off_by = {};  // of a pile in the nearest law
 };
 
-constexpr int hours_for_a_grain = 24;
+constexpr int hours_unknown = 24;  // to ask for where no cost was measured
 
 Exported exported(const cases::Case& c, const cases::Experiment& e, const ExportOptions& o,
                   const EngineChoice& choice) {
-    if (e.rig != "pile") return {e.id, engines::lammps_one_grain(c, e, rigs::ordinates_of(e))};
+    const engines::Peer& peer = *choice.peer;
+    const engines::DeckOptions options{.nearest = choice.nearest};
+    if (e.rig != "pile") return {e.id, peer.one_grain(c, e, rigs::ordinates_of(e), options)};
     const rigs::PileSetup setup = chosen_setup(c, e, o.seed, true, choice);
-    return {e.id, engines::lammps_pile(setup), lammps_cost(setup, choice.ranks)};
+    Exported made{e.id, peer.pile(setup, options)};
+    if (peer.name == "lammps") made.cost = lammps_cost(setup, choice.ranks);
+    if (choice.nearest)
+        made.off_by = engines::how_far_off(peer, engines::program_of(peer), setup,
+                                           std::filesystem::path(o.out) / "nearest");
+    return made;
 }
 
 std::string estimate_text(const LammpsCost& cost, int ranks) {
@@ -84,13 +93,17 @@ bool has_deck(const cases::Experiment& e) {
 
 int run(const ExportOptions& o) {
     const cases::Case c = cases::read_case(o.path);
-    if (o.engine != "lammps")
-        throw InvalidInput(mistake("--engine", cases::in_quotes(o.engine), "must be lammps",
-                                   "no other engine has a deck yet"));
     if (!o.submit.empty() && o.submit != "slurm")
         throw InvalidInput(mistake("--submit", cases::in_quotes(o.submit), "must be slurm",
                                    "leave it out and start the deck yourself"));
-    const EngineChoice choice = engine_choice(o.engine, o.ranks, o.contact);
+    const EngineChoice choice = engine_choice(o.engine, o.ranks,
+                                              !o.contact.empty()     ? o.contact
+                                              : o.engine == "lammps" ? "lammps"
+                                                                     : "own");
+    if (choice.peer == nullptr)
+        throw InvalidInput(mistake("--engine", cases::in_quotes(o.engine), "must be another engine",
+                                   "simulate runs dem_min"));
+    const engines::Peer& peer = *choice.peer;
     std::vector<std::string> ids;
     std::vector<Exported> decks;
     for (const cases::Experiment& e : c.experiments) {
@@ -104,15 +117,16 @@ int run(const ExportOptions& o) {
             mistake("--experiment", o.experiment.empty() ? "none" : cases::in_quotes(o.experiment),
                     "must be a pile, drop, incline or impact of the case",
                     ids.empty() ? "this case has none" : cases::suggestion(o.experiment, ids)));
-    for (const auto& [id, deck, cost] : decks) {
-        const std::filesystem::path folder = std::filesystem::path(o.out) / (id + "-lammps");
-        engines::write_lammps_deck(deck, folder);
+    for (const auto& [id, deck, cost, off_by] : decks) {
+        const std::filesystem::path folder = std::filesystem::path(o.out) / (id + "-" + peer.name);
+        engines::write_deck(deck, folder);
         if (!o.submit.empty())
-            write_file(
-                (folder / "job.sh").string(),
-                slurm_script(id, choice.ranks, cost ? hours_to_ask_for(*cost) : hours_for_a_grain));
-        fmt::print("{}\n", (folder / "deck.in").string());
+            write_file((folder / "job.sh").string(),
+                       slurm_script(id, peer, choice.ranks,
+                                    cost ? hours_to_ask_for(*cost) : hours_unknown));
+        fmt::print("{}\n", (folder / deck.name).string());
         if (cost) fmt::print(stderr, "{}\n", estimate_text(*cost, choice.ranks));
+        for (const std::string& said : off_by) fmt::print(stderr, "similitude: {}\n", said);
     }
     return fine;
 }
@@ -124,7 +138,9 @@ Verb export_verb(CLI::App& app, const std::string&) {
     CLI::App* verb =
         app.add_subcommand("export", "an experiment as a deck that another engine runs");
     verb->add_option("CASE", options->path, "case.json or its folder")->required();
-    verb->add_option("--engine", options->engine, "lammps")->type_name("ENGINE")->required();
+    verb->add_option("--engine", options->engine, "lammps, liggghts or yade")
+        ->type_name("ENGINE")
+        ->required();
     verb->add_option("--experiment", options->experiment,
                      "only this one; all that have a deck otherwise")
         ->type_name("ID");
@@ -133,13 +149,11 @@ Verb export_verb(CLI::App& app, const std::string&) {
         ->capture_default_str();
     verb->add_option("--seed", options->seed, "of feeding places and sizes")->capture_default_str();
     verb->add_option("--contact", options->contact,
-                     "contact rules: lammps (those that LAMMPS has), or own where the case needs "
-                     "nothing that differs")
-        ->type_name("RULES")
-        ->capture_default_str();
-    verb->add_option("--ranks", options->ranks, "MPI ranks that the script asks for")
-        ->type_name("N")
-        ->capture_default_str();
+                     "contact rules: own, lammps (those that LAMMPS has; for it the default), or "
+                     "nearest (where the engine has not the case's law)")
+        ->type_name("RULES");
+    verb->add_option("--ranks", options->ranks, "MPI ranks that the script asks for; 1 by default")
+        ->type_name("N");
     verb->add_option("--submit", options->submit, "slurm: write job.sh beside the deck")
         ->type_name("SYSTEM");
     verb->footer(examples);

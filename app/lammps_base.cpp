@@ -5,6 +5,7 @@
 #include "cases/units.hpp"
 #include "engines/lammps_one_grain.hpp"
 #include "engines/lammps_run.hpp"
+#include "engines/one_throw.hpp"
 #include "scaling/errors.hpp"
 
 #include <fmt/format.h>
@@ -61,8 +62,8 @@ LammpsBase simulate_base_in_lammps(
         Experiment& e = *to_run[k];
         show(k, to_run.size(), e.id);
         const rigs::Ordinates at = rigs::recorded_ordinates(e);
-        const engines::LammpsCurvesRun run =
-            engines::run_lammps_one_grain(lmp, c, e, at, folder / (e.id + "-lammps"));
+        const engines::PeerCurvesRun run = engines::run_one_grain(
+            *engines::find_peer("lammps"), lmp, c, e, at, folder / (e.id + "-lammps"));
         if (run.interrupted) return {true, {}};
         e.simulated = cases::Recording{curve_columns(e, run.curves, at)};
         release = run.release;

@@ -45,7 +45,7 @@ constexpr const char* examples = R"(Examples:
   similitude simulate my-powder --dump vtp,lammps --dump-every "5 ms"
       frames for ParaView (out/ID.pvd), OVITO and LAMMPS (out/ID.lammpstrj)
   similitude simulate my-powder --experiment heap --engine lammps --ranks 2 --contact lammps
-      the same feed in LAMMPS; its deck and log stay in out/heap-lammps)";
+      the same feed in LAMMPS; its deck and log stay in out/heap-lammps; liggghts and yade likewise)";
 
 std::vector<const Experiment*> chosen(const Case& c, const std::string& id) {
     std::vector<const Experiment*> all;
@@ -210,14 +210,15 @@ Verb simulate_verb(CLI::App& app, const std::string& command) {
         "leave out regions of a heap that are at rest until something comes: faster, and "
         "not quite the same heap");
     verb->add_option("--engine", options->engine,
-                     "who runs them: dem_min, or lammps (the program lmp; all rigs but pull_off)")
+                     "who runs them: dem_min, or lammps, liggghts or yade (all rigs but pull_off)")
         ->type_name("ENGINE")
         ->capture_default_str();
-    verb->add_option("--ranks", options->ranks, "MPI ranks of LAMMPS; 1 by default")
+    verb->add_option("--ranks", options->ranks, "MPI ranks of LAMMPS or LIGGGHTS; 1 by default")
         ->type_name("N");
-    verb->add_option("--contact", options->contact,
-                     "contact rules of the piles: own, or lammps (those that LAMMPS has too, on "
-                     "either engine)")
+    verb->add_option(
+            "--contact", options->contact,
+            "contact rules of the piles: own, lammps (those that LAMMPS has too, on either "
+            "engine), or nearest (where LIGGGHTS or Yade has not the case's law)")
         ->type_name("RULES")
         ->capture_default_str();
     add_common(*verb, options->common);

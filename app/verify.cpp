@@ -2,14 +2,13 @@
 #include "app/verify.hpp"
 
 #include "app/exit_code.hpp"
-#include "app/experiment.hpp"
+#include "app/heaps_engine.hpp"
 #include "app/interrupt.hpp"
 #include "app/machine_speed.hpp"
 #include "app/progress.hpp"
 #include "app/scale_input.hpp"
 #include "app/verify_against.hpp"
 #include "cases/read_case.hpp"
-#include "engines/lammps_pile_run.hpp"
 #include "reports/checks.hpp"
 #include "scaling/errors.hpp"
 #include "verify/exact_answers.hpp"
@@ -35,8 +34,7 @@ struct VerifyOptions {
     bool small = false, full = false, exact_only = false, sleep = false;
     std::string experiment;  // with --sleep; empty: the first pile with a count of grains
     int seeds = 0;           // a side, with --sleep; 0: 3 with --small, else 12
-    std::string engine = "dem_min", contact = "own";
-    int ranks = 0;
+    HeapsEngine heaps;
 };
 
 constexpr const char* examples = R"(Examples:
@@ -137,18 +135,11 @@ const cases::Experiment& pile_of(const cases::Case& c, const std::string& id) {
     return *chosen;
 }
 
-// None for our own core.
-std::unique_ptr<rigs::PileEngine> engine_of(const VerifyOptions& o, const EngineChoice& choice) {
-    if (!choice.lammps) return nullptr;
-    const auto decks = std::filesystem::path(o.out) / "similitude-heaps" / "lammps";
-    return std::make_unique<engines::LammpsPiles>(std::filesystem::absolute(decks), choice.ranks);
-}
-
 void run_heaps(const VerifyOptions& o, const cases::Case& c, reports::Verification& v) {
     Progress progress(!o.common.quiet);
-    const EngineChoice choice = engine_choice(o.engine, o.ranks, o.contact);
-    const std::unique_ptr<rigs::PileEngine> engine = engine_of(o, choice);
+    const EngineChoice choice = choice_of(o.heaps);
     verify::Campaign campaign = campaign_of(o, progress);
+    const std::unique_ptr<rigs::PileEngine> engine = engine_of(choice, campaign.remembered_in);
     campaign.engine = engine.get();
     const int seeds = o.seeds > 0 ? o.seeds : o.small ? 3 : 12;
     if (o.sleep)
@@ -208,23 +199,9 @@ Verb verify_verb(CLI::App& app, const std::string& command) {
     verb->add_option("--seeds", options->seeds, "heaps a side for --sleep, 12 by default")
         ->check(CLI::Range(2, 1000))
         ->needs(sleep);
-    verb->add_option("--engine", options->engine,
-                     "who runs the heaps: dem_min, or lammps (the program lmp)")
-        ->type_name("ENGINE")
-        ->capture_default_str()
-        ->excludes(exact)
-        ->excludes(against)
-        ->excludes(sleep);
-    verb->add_option("--ranks", options->ranks, "MPI ranks of LAMMPS; 1 by default")
-        ->type_name("N");
-    verb->add_option("--contact", options->contact,
-                     "contact rules of the heaps: own, or lammps (those that LAMMPS has too, on "
-                     "either engine)")
-        ->type_name("RULES")
-        ->capture_default_str()
-        ->excludes(exact)
-        ->excludes(against)
-        ->excludes(sleep);
+    add_heaps_engine(*verb, options->heaps);
+    for (const char* option : {"--engine", "--contact"})
+        verb->get_option(option)->excludes(exact)->excludes(against)->excludes(sleep);
     verb->add_option("--out", options->out, "folder in which finished heaps are remembered")
         ->type_name("DIR")
         ->capture_default_str();

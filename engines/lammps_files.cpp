@@ -132,6 +132,12 @@ FinalGrains read_final_grains(const std::filesystem::path& folder, double densit
     const LammpsFrame& f = frames.front();
     const std::size_t x = f.column("x"), v = f.column("vx"), w = f.column("omegax");
     const std::size_t radius = f.column("radius"), type = f.column("type");
+    const auto glued = std::find(f.columns.begin(), f.columns.end(), "v_glued");
+    const auto fixed = [&](const std::vector<double>& row) {
+        return glued == f.columns.end()
+                   ? row[type] == 2.0
+                   : row[static_cast<std::size_t>(glued - f.columns.begin())] == 1.0;
+    };
     FinalGrains all{f.step, {}, {}};
     for (const std::vector<double>& row : f.rows) {
         all.grains.push_back({{row[x], row[x + 1], row[x + 2]},
@@ -139,7 +145,7 @@ FinalGrains read_final_grains(const std::filesystem::path& folder, double densit
                               {row[w], row[w + 1], row[w + 2]},
                               row[radius],
                               density,
-                              row[type] == 2.0});
+                              fixed(row)});
         if (!extra.empty()) all.extra.push_back(row[f.column(extra)]);
     }
     return all;

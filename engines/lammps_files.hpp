@@ -38,7 +38,7 @@ struct LammpsFrame {
 // Throws std::runtime_error naming `name` and the frame where the text is no whole dump.
 std::vector<LammpsFrame> read_lammps_dump(const std::string& text, const std::string& name);
 
-// The grains of `final.dump` in `folder`, one frame of `id type x y z vx vy vz omegax omegay omegaz radius` and what else: type 2 is fixed. Shape of
+// The grains of `final.dump` in `folder`, one frame of `id type x y z vx vy vz omegax omegay omegaz radius` and what else: fixed is what has v_glued 1, or type 2 where there is no such column. Shape of
 // `extra`: [grains], the column of that name, where it is asked for. Throws std::runtime_error.
 struct FinalGrains {
     std::int64_t step;

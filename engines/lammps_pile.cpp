@@ -2,16 +2,12 @@
 #include "engines/lammps_pile.hpp"
 
 #include "engines/bed_lammps.hpp"
-#include "engines/lammps_feed.hpp"
-#include "engines/lammps_files.hpp"
-#include "engines/lammps_run.hpp"
-#include "scaling/errors.hpp"
+#include "engines/pile_feed.hpp"
+#include "engines/process.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace engines {
 namespace {
@@ -19,53 +15,29 @@ namespace {
 using dem_min::Grain;
 using rigs::PileSetup;
 
-constexpr int rest_check_interval = 100;  // steps, as in rigs/pile.cpp
-constexpr double most_damping = 0.12;     // e below which the polynomial of `tsuji` ends
-constexpr double at_rest_below = 1e-6;    // of m g d
-
-[[noreturn]] void refuse(const std::string& option, const std::string& what,
-                         const std::string& remedy) {
-    throw scaling::InvalidInput(scaling::mistake(option, "lammps", what, remedy));
-}
+constexpr double most_damping = 0.12;  // e below which the polynomial of `tsuji` ends
 
 bool is_flat(const PileSetup& s) { return s.conditions.base == rigs::Base::flat; }
 
 bool sticky(const rigs::ContactParameters& c) { return c.work_of_adhesion > 0.0; }
 
-void refuse_what_lammps_has_not(const PileSetup& s, const std::string& option) {
-    const char* ours = "leave the option out: dem_min runs it";
-    const rigs::PileConditions& c = s.conditions;
+void refuse_what_lammps_has_not(const PileSetup& s, const DeckOptions& o) {
+    if (o.nearest)
+        refuse(o, "lammps", "has the laws of --contact lammps: no nearest is needed",
+               "say --contact lammps");
     if (!s.grains.as_lammps &&
         (sticky(s.grains) || s.grains.rolling_friction > 0.0 || s.walls.rolling_friction > 0.0))
-        refuse(option, "has no EPSD rolling and does not tear off at the fold",
+        refuse(o, "lammps", "has no EPSD rolling and does not tear off at the fold",
                "say --contact lammps: SDS rolling and tear-off at the deepest tension, on either "
                "engine");
-    if (s.grains.rigid_tangential) refuse(option, "has no rigid friction (hertz_coulomb)", ours);
-    if (c.base == rigs::Base::flat_with_rim)
-        refuse(option, "is told of no rim", "take flat or glued_grains for the base");
+    if (s.conditions.base == rigs::Base::flat_with_rim)
+        refuse(o, "lammps", "is told of no rim", "take flat or glued_grains for the base");
     if (is_flat(s) && sticky(s.walls))
-        refuse(option, "loses the force of an adhesive contact with a wall beyond its fold",
+        refuse(o, "lammps", "loses the force of an adhesive contact with a wall beyond its fold",
                "take glued_grains for the base, or no wall_adhesion");
-    if (!s.materials.pairs.empty()) refuse(option, "is told of one material only", ours);
-    if (c.funnel || !c.meshes.empty()) refuse(option, "is told of no funnel and no mesh", ours);
-    if (s.sleep_speed > 0.0) refuse(option, "does not sleep", "leave --sleep out");
-    refuse_restitution(s.grains.restitution, option);
-    if (is_flat(s)) refuse_restitution(s.walls.restitution, option);
-}
-
-Box box_of(const PileSetup& s) {
-    const double wide =
-        0.5 * std::max(s.conditions.base_diameter, s.conditions.feed_diameter) + 10.0 * s.d;
-    return {{-wide, -wide, s.lost_below}, {wide, wide, s.conditions.drop_height + 40.0 * s.d}};
-}
-
-std::vector<Grain> glued(const PileSetup& s) {
-    std::vector<Grain> grains;
-    const rigs::PileRun start = rigs::begin_pile(s, 1);
-    const dem_min::Particles& p = start.simulation.grains;
-    for (std::size_t k = 0; k < p.count(); ++k)
-        grains.push_back({p.position(k), {}, {}, p.radius[k], s.density, true});
-    return grains;
+    refuse_rig_of_our_own(s, o, "lammps");
+    refuse_restitution(s.grains.restitution, o);
+    if (is_flat(s)) refuse_restitution(s.walls.restitution, o);
 }
 
 // A data file whose charges are the upward velocities: with several ranks, LAMMPS crashes on a section Velocities that is added to
@@ -84,21 +56,7 @@ std::string added_data(const std::vector<Grain>& grains, const Box& box) {
     return text;
 }
 
-// As they are when their batch is fed, `lift` higher.
-std::vector<Grain> fed(const PileSetup& s, const FeedBatch& batch, const std::vector<double>& z,
-                       double lift = 0.0) {
-    const double now = static_cast<double>(batch.step) * s.time_step;
-    std::vector<Grain> grains;
-    for (std::size_t k = batch.first; k <= batch.last; ++k)
-        grains.push_back({{s.feed_x[k], s.feed_y[k], z[k] - fallen(s, s.feed_time[k], now) + lift},
-                          {0.0, 0.0, -s.gravity * (now - s.feed_time[k])},
-                          {},
-                          s.radius[k],
-                          loose_density(s)});
-    return grains;
-}
-
-constexpr const char* glued_grains = R"(group loose type 1
+constexpr const char* glued_base = R"(group loose type 1
 group glued type 2
 read_data base.data add append group glued
 neigh_modify delay 0 every 1 check yes exclude group glued glued)";
@@ -123,7 +81,7 @@ fix plate loose wall/gran/region granular {} region base)",
 }
 
 std::string head(const PileSetup& s) {
-    const Box box = box_of(s);
+    const Box box = pile_box(s);
     // The margin must hold a neck that is stretched: LAMMPS ends it where the list is made anew and has lost the pair.
     return fmt::format(
         R"(# The rig pile of similitude in LAMMPS, release of 29 Sep 2021: lmp -in deck.in, or mpirun -np N lmp -in deck.in.
@@ -153,33 +111,17 @@ fix motion loose nve/sphere
         fmt::arg("yh", box.high.y), fmt::arg("zl", box.low.z), fmt::arg("zh", box.high.z),
         fmt::arg("skin", 0.4 * s.d), fmt::arg("pair", granular_arguments(s.grains)),
         fmt::arg("dt", s.time_step), fmt::arg("g", s.gravity),
-        fmt::arg("grains", is_flat(s) ? parked_grains : glued_grains),
+        fmt::arg("grains", is_flat(s) ? parked_grains : glued_base),
         fmt::arg("base", is_flat(s) ? plate(s) : frozen));
 }
 
-// What the loops below ask: kinetic energy over m g d, top of the heap, of all.
-std::string questions(const PileSetup& s) {
-    const double mass = s.density * (std::numbers::pi / 6.0) * (s.d * s.d * s.d);
-    return fmt::format(R"(
-compute kinetic loose ke
-compute radius all property/atom radius
-compute touching all contact/atom
-variable restless equal c_kinetic/((count(loose)+(count(loose)==0))*{unit:.17g})
-# Heap: grains that touch another and are slow.
-variable heap atom (c_touching>0)*((vx*vx+vy*vy+vz*vz)<{slow:.17g})*(z+c_radius+{two_d:.17g})
-variable any atom z+c_radius+{room:.17g}
-compute top loose reduce max v_heap v_any
-thermo 2000
-variable present equal {present}
-thermo_style custom step v_present c_kinetic c_top[1] c_top[2]
-# What falls below the base or flies off is gone.
-thermo_modify lost ignore flush yes
-)",
-                       fmt::arg("unit", mass * s.gravity * s.d),
-                       fmt::arg("slow", 0.25 * s.gravity * s.d), fmt::arg("two_d", 2.0 * s.d),
-                       fmt::arg("room", 0.6 * s.d),
-                       fmt::arg("present", is_flat(s) ? "count(loose)" : "count(all)"));
-}
+// Of one batch.
+constexpr const char* reading =
+    R"(read_data feed/${batch}.data add append shift 0 0 ${up} group fresh
+group loose type 1
+velocity fresh set NULL NULL v_fall units box
+group fresh clear
+)";
 
 // How far the next batch is shifted up.
 std::string shift(const PileSetup& s) {
@@ -189,28 +131,6 @@ if "${{any_up}} < ${{up}}" then "variable up string ${{any_up}}"
 if "${{heap_up}} > ${{up}}" then "variable up string ${{heap_up}}"
 if "${{up}} < 0" then "variable up string 0")",
                        fmt::arg("mouth", s.conditions.drop_height));
-}
-
-std::string feed_loop(const PileSetup& s, std::size_t batches) {
-    return fmt::format(R"(
-# The feed: batch k is read at the k-th step of feed-steps.txt, shifted up where the heap has grown to within 2 d of it,
-# and down again only when it meets none of those read before.
-variable up string 0
-variable fall atom q
-variable batch loop {n}
-variable due file feed-steps.txt
-label feed
-run ${{due}} upto post no
-{shift}
-read_data feed/${{batch}}.data add append shift 0 0 ${{up}} group fresh
-group loose type 1
-velocity fresh set NULL NULL v_fall units box
-group fresh clear
-if "${{batch}} < {n}" then "next due"
-next batch
-jump SELF feed
-)",
-                       fmt::arg("n", batches), fmt::arg("shift", shift(s)));
 }
 
 // `lift`: of the parked grains, so large that a batch which comes down makes the lists anew.
@@ -241,11 +161,6 @@ jump SELF feed
                        fmt::arg("n", batches), fmt::arg("lift", lift), fmt::arg("shift", shift(s)));
 }
 
-std::int64_t steps_in(const PileSetup& s, double duration) {
-    return static_cast<std::int64_t>(std::ceil(duration / s.time_step / rest_check_interval) *
-                                     rest_check_interval);
-}
-
 std::string rest_loop(const PileSetup& s) {
     return fmt::format(R"deck(
 # At rest: below 1e-6 m g d a grain without a break for {still} steps.
@@ -269,8 +184,8 @@ label results
 run 0 post no
 )deck",
                        fmt::arg("check", rest_check_interval), fmt::arg("limit", at_rest_below),
-                       fmt::arg("longest", steps_in(s, s.longest)),
-                       fmt::arg("still", steps_in(s, s.rest_duration)));
+                       fmt::arg("longest", whole_checks(s, s.longest)),
+                       fmt::arg("still", whole_checks(s, s.rest_duration)));
 }
 
 // The same without `fix halt`, which wants a run that is set up anew.
@@ -290,8 +205,8 @@ label results
 run 0 pre no post no
 )deck",
                        fmt::arg("check", rest_check_interval), fmt::arg("limit", at_rest_below),
-                       fmt::arg("longest", steps_in(s, s.longest)),
-                       fmt::arg("still", steps_in(s, s.rest_duration)));
+                       fmt::arg("longest", whole_checks(s, s.longest)),
+                       fmt::arg("still", whole_checks(s, s.rest_duration)));
 }
 
 constexpr const char* results =
@@ -300,18 +215,19 @@ constexpr const char* results =
 write_data final.data nocoeff
 )deck";
 
-LammpsDeck over_a_plate(const PileSetup& s, const std::vector<FeedBatch>& batches,
-                        const std::vector<double>& z, const std::string& steps) {
+Deck over_a_plate(const PileSetup& s, const std::vector<FeedBatch>& batches,
+                  const std::vector<double>& z, const std::string& steps) {
     const double lift = s.d;
     std::vector<Grain> all;
     std::string ids;
     for (const FeedBatch& batch : batches) {
-        for (const Grain& g : fed(s, batch, z, lift)) all.push_back(g);
+        for (const Grain& g : batch_grains(s, batch, z, lift)) all.push_back(g);
         ids += fmt::format("{}:{}\n", batch.first + 1, batch.last + 1);
     }
-    return {head(s) + questions(s) + parked_feed_loop(s, batches.size(), lift) +
-                rest_loop_of_one_run(s) + results,
-            {{"grains.data", added_data(all, box_of(s))},
+    return {"deck.in",
+            head(s) + pile_questions(s, "count(loose)") +
+                parked_feed_loop(s, batches.size(), lift) + rest_loop_of_one_run(s) + results,
+            {{"grains.data", added_data(all, pile_box(s))},
              {"feed-ids.txt", ids},
              {"feed-steps.txt", steps}}};
 }
@@ -334,39 +250,74 @@ std::string granular_arguments(const rigs::ContactParameters& c) {
     return text;
 }
 
-void refuse_restitution(double restitution, const std::string& option) {
+void refuse_restitution(double restitution, const DeckOptions& o) {
     if (restitution < most_damping)
-        refuse(option, "cannot damp below a restitution of 0.12 (damping tsuji ends there)",
+        refuse(o, "lammps", "cannot damp below a restitution of 0.12 (damping tsuji ends there)",
                "take a higher restitution, or leave the option out");
 }
 
-double loose_density(const PileSetup& s) {
-    return s.materials.density.empty() ? s.density : s.materials.density.front();
+std::string pile_questions(const PileSetup& s, const std::string& present) {
+    return fmt::format(R"(
+compute kinetic loose ke
+compute radius all property/atom radius
+compute touching all contact/atom
+variable restless equal c_kinetic/((count(loose)+(count(loose)==0))*{unit:.17g})
+# Heap: grains that touch another and are slow.
+variable heap atom (c_touching>0)*((vx*vx+vy*vy+vz*vz)<{slow:.17g})*(z+c_radius+{two_d:.17g})
+variable any atom z+c_radius+{room:.17g}
+compute top loose reduce max v_heap v_any
+thermo 2000
+variable present equal {present}
+thermo_style custom step v_present c_kinetic c_top[1] c_top[2]
+# What falls below the base or flies off is gone.
+thermo_modify lost ignore flush yes
+)",
+                       fmt::arg("unit", energy_unit(s)), fmt::arg("slow", 0.25 * s.gravity * s.d),
+                       fmt::arg("two_d", 2.0 * s.d), fmt::arg("room", 0.6 * s.d),
+                       fmt::arg("present", present));
 }
 
-LammpsDeck lammps_pile(const PileSetup& s, const std::string& option) {
-    refuse_what_lammps_has_not(s, option);
+std::string pile_feed_loop(const PileSetup& s, std::size_t batches, const std::string& read) {
+    return fmt::format(R"(
+# The feed: batch k is read at the k-th step of feed-steps.txt, shifted up where the heap has grown to within 2 d of it,
+# and down again only when it meets none of those read before.
+variable up string 0
+variable batch loop {n}
+variable due file feed-steps.txt
+label feed
+run ${{due}} upto post no
+{shift}
+{read}if "${{batch}} < {n}" then "next due"
+next batch
+jump SELF feed
+)",
+                       fmt::arg("n", batches), fmt::arg("shift", shift(s)), fmt::arg("read", read));
+}
+
+Deck lammps_pile(const PileSetup& s, const DeckOptions& options) {
+    refuse_what_lammps_has_not(s, options);
     const std::vector<FeedBatch> batches = feed_batches(s);
     const std::vector<double> z = feed_heights(s, batches);
     std::string steps;
     for (const FeedBatch& batch : batches) steps += fmt::format("{}\n", batch.step);
     if (is_flat(s)) return over_a_plate(s, batches, z, steps);
-    LammpsDeck result{
-        head(s) + questions(s) + feed_loop(s, batches.size()) + rest_loop(s) + results, {}};
-    result.files.emplace_back("base.data", added_data(glued(s), box_of(s)));
+    Deck result{"deck.in", head(s) + pile_questions(s, "count(all)") + "\nvariable fall atom q\n" +
+                               pile_feed_loop(s, batches.size(), reading) + rest_loop(s) + results};
+    result.files.emplace_back("base.data", added_data(glued_grains(s), pile_box(s)));
     for (std::size_t k = 0; k < batches.size(); ++k)
         result.files.emplace_back(fmt::format("feed/{}.data", k + 1),
-                                  added_data(fed(s, batches[k], z), box_of(s)));
+                                  added_data(batch_grains(s, batches[k], z), pile_box(s)));
     result.files.emplace_back("feed-steps.txt", steps);
     return result;
 }
 
-void write_lammps_deck(const LammpsDeck& d, const std::filesystem::path& folder) {
-    std::filesystem::remove_all(folder / "feed");  // batches of a longer feed
-    std::filesystem::remove(folder / "final.dump");
-    std::filesystem::create_directories(folder / "feed");
-    write_text(folder / "deck.in", d.deck);
-    for (const auto& [name, text] : d.files) write_text(folder / name, text);
+std::vector<std::string> lammps_like_deck_command(const std::string& program, int ranks,
+                                                  const std::string& log) {
+    std::vector<std::string> argv = ranks > 1 ? mpirun(ranks) : std::vector<std::string>{};
+    for (const std::string& word :
+         {program, std::string("-in"), std::string("deck.in"), std::string("-log"), log})
+        argv.push_back(word);
+    return argv;
 }
 
 }  // namespace engines

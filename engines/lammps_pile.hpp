@@ -1,24 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The rig `pile` as a deck of LAMMPS with its data files (docs/export.md); lammps_pile_run.hpp runs it.
-// The deck feeds the very grains of the setup. It feeds them in small batches (lammps_feed.hpp), each grain
-// with the speed that it would have by then; it looks for rest by the rig's own criterion, and leaves the heap in final.dump.
-// Written for the release of 29 September 2021.
+// The rig `pile` in LAMMPS: a setup as a deck with its data files (docs/export.md). The deck feeds the grains in small batches; it looks
+// for rest by the rig's own criterion, and leaves the heap in final.dump. Written for the release of 29 September 2021.
 #pragma once
 
+#include "engines/deck.hpp"
 #include "rigs/pile.hpp"
 
-#include <cstdint>
-#include <filesystem>
+#include <cstddef>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace engines {
-
-struct LammpsDeck {
-    std::string deck;                                        // deck.in
-    std::vector<std::pair<std::string, std::string>> files;  // name and text, beside deck.in
-};
 
 // What follows `pair_coeff * *`, and `granular` in `fix wall/gran/region`. The moduli are told as E = 2 E* with nu = 0, which
 // gives E* between grains and, by LAMMPS' own rule E/2, at a wall; k_t/a = 8 G* as a number.
@@ -26,16 +18,20 @@ struct LammpsDeck {
 // number goes through the polynomial anew whenever a run is set up.
 std::string granular_arguments(const rigs::ContactParameters&);
 
-// Throws scaling::InvalidInput, which names `option`, below 0.12: there the polynomial of `tsuji` ends.
-void refuse_restitution(double restitution, const std::string& option);
+// Throws scaling::InvalidInput below 0.12: there the polynomial of `tsuji` ends.
+void refuse_restitution(double restitution, const DeckOptions&);
 
-// Throws scaling::InvalidInput, which names `option`, for what LAMMPS has not or we have not told it yet: contact rules of our own,
-// rigid friction, a rim, walls that adhere, several materials, a funnel or mesh, sleep, a restitution below 0.12.
-LammpsDeck lammps_pile(const rigs::PileSetup&, const std::string& option = "--engine");
+// Throws scaling::InvalidInput for what LAMMPS has not or we have not told it yet: contact rules of our own, rigid friction, a rim,
+// walls that adhere, several materials, a funnel or mesh, sleep, a restitution below 0.12.
+Deck lammps_pile(const rigs::PileSetup&, const DeckOptions& = {});
 
-// kg/m^3
-double loose_density(const rigs::PileSetup&);
+// `program -in deck.in -log log.PROGRAM`, with mpirun where there is more than one rank; LIGGGHTS takes the same.
+std::vector<std::string> lammps_like_deck_command(const std::string& program, int ranks,
+                                                  const std::string& log);
 
-void write_lammps_deck(const LammpsDeck&, const std::filesystem::path& folder);
+// What LAMMPS and LIGGGHTS have in common: what the loops of the feed and of rest ask (`present`: the grains that progress counts), and
+// that of the feed, in which `reading` reads feed/${batch}.data, ${up} higher than it says, into the group `fresh`.
+std::string pile_questions(const rigs::PileSetup&, const std::string& present);
+std::string pile_feed_loop(const rigs::PileSetup&, std::size_t batches, const std::string& reading);
 
 }  // namespace engines

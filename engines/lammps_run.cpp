@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "engines/lammps_run.hpp"
 
+#include "engines/peer.hpp"
 #include "engines/process.hpp"
-#include "scaling/errors.hpp"
 
 #include <fmt/format.h>
 
@@ -26,9 +26,7 @@ std::string lammps_complaint(const std::string& output) {
 }
 
 std::filesystem::path lammps_program(const std::string& option) {
-    if (const auto found = find_program("lmp")) return *found;
-    throw scaling::InvalidInput(
-        scaling::mistake(option, "lammps", "needs the program lmp", "apt-get install lammps"));
+    return program_of(*find_peer("lammps"), option);
 }
 
 std::string lammps_release(const std::string& output) {

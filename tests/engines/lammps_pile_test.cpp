@@ -2,10 +2,10 @@
 #include "engines/lammps_pile.hpp"
 
 #include "cases/read_case.hpp"
-#include "engines/lammps_feed.hpp"
 #include "engines/lammps_files.hpp"
-#include "engines/lammps_pile_run.hpp"
 #include "engines/lammps_run.hpp"
+#include "engines/pile_feed.hpp"
+#include "engines/pile_run.hpp"
 #include "engines/process.hpp"
 #include "scaling/errors.hpp"
 #include "tests/engines/scratch.hpp"
@@ -146,8 +146,8 @@ TEST_CASE("lammps pile: one grain falls in LAMMPS as it does here", "[engines][l
     if (!engines::find_program("lmp")) return;
     const rigs::PileSetup s = small_setup("glued_grains", all_physics, 1);
     const Scratch folder("lammps-pile-one");
-    engines::write_lammps_deck(engines::lammps_pile(s), folder.path);
-    const auto run = engines::run_lammps_pile("lmp", s, folder.path, 1);
+    engines::write_deck(engines::lammps_pile(s), folder.path);
+    const auto run = engines::run_pile(*engines::find_peer("lammps"), "lmp", s, folder.path, 1);
     REQUIRE(run.end);
     CHECK(run.end->record.at_rest);
     REQUIRE(run.end->record.heap.centre.size() == 1);
@@ -165,10 +165,10 @@ TEST_CASE("lammps pile: a heap comes back whole, and the lost are counted",
     if (!engines::find_program("lmp") || !engines::find_program("mpirun")) return;
     const rigs::PileSetup s = small_setup("glued_grains", all_physics, 120);
     const Scratch folder("lammps-pile-heap");
-    engines::write_lammps_deck(engines::lammps_pile(s), folder.path);
+    engines::write_deck(engines::lammps_pile(s), folder.path);
     std::int64_t shown = 0;
-    const auto run = engines::run_lammps_pile(
-        "lmp", s, folder.path, 2, [&](const engines::LammpsProgress& p) { shown = p.step; });
+    const auto run = engines::run_pile(*engines::find_peer("lammps"), "lmp", s, folder.path, 2,
+                                       [&](const engines::PileProgress& p) { shown = p.step; });
     CHECK(shown > 0);
     REQUIRE(run.end);
     const rigs::PileRecord& r = run.end->record;
@@ -202,14 +202,14 @@ TEST_CASE("lammps pile: on a flat base every batch bounces with the stated resti
         s.feed_time[k] = 0.04 * static_cast<double>(k),
         s.feed_x[k] = 1.2e-3 * (static_cast<double>(k) - 2.5), s.feed_y[k] = 0.0;
     REQUIRE(engines::feed_batches(s).size() == 6);
-    engines::LammpsDeck deck = engines::lammps_pile(s);
+    engines::Deck deck = engines::lammps_pile(s);
     const std::string feed = "run 0 post no\nlabel feed\n";
     REQUIRE(deck.deck.find(feed) != std::string::npos);
     deck.deck.insert(deck.deck.find(feed),
                      "dump path all custom 160 path.dump id z\ndump_modify path sort id\n");
     const Scratch folder("lammps-pile-plate");
-    engines::write_lammps_deck(deck, folder.path);
-    const auto run = engines::run_lammps_pile("lmp", s, folder.path, 1);
+    engines::write_deck(deck, folder.path);
+    const auto run = engines::run_pile(*engines::find_peer("lammps"), "lmp", s, folder.path, 1);
     REQUIRE(run.end);
     CHECK(run.end->record.heap.centre.size() == 6);
     CHECK(run.end->record.coordination == 1.0);  // each lies on the plate
@@ -241,9 +241,9 @@ TEST_CASE("lammps pile: a heap on a flat base comes back whole, and the lost are
     if (!engines::find_program("lmp") || !engines::find_program("mpirun")) return;
     const rigs::PileSetup s = small_setup("flat", all_physics, 120);
     const Scratch folder("lammps-pile-flat");
-    engines::write_lammps_deck(engines::lammps_pile(s), folder.path);
+    engines::write_deck(engines::lammps_pile(s), folder.path);
     const int ranks = GENERATE(1, 2);
-    const auto run = engines::run_lammps_pile("lmp", s, folder.path, ranks);
+    const auto run = engines::run_pile(*engines::find_peer("lammps"), "lmp", s, folder.path, ranks);
     REQUIRE(run.end);
     const rigs::PileRecord& r = run.end->record;
     CHECK(r.at_rest);
@@ -259,11 +259,11 @@ TEST_CASE("lammps pile: a heap on a flat base comes back whole, and the lost are
 TEST_CASE("lammps pile: an error of LAMMPS is told with its log", "[engines][lammps][pile]") {
     if (!engines::find_program("lmp")) return;
     const rigs::PileSetup s = small_setup("glued_grains", all_physics, 5);
-    engines::LammpsDeck deck = engines::lammps_pile(s);
+    engines::Deck deck = engines::lammps_pile(s);
     deck.deck += "nonsense here\n";
     deck.deck.insert(0, "nonsense here\n");
     const Scratch folder("lammps-pile-error");
-    engines::write_lammps_deck(deck, folder.path);
-    CHECK_THROWS_WITH(engines::run_lammps_pile("lmp", s, folder.path, 1),
+    engines::write_deck(deck, folder.path);
+    CHECK_THROWS_WITH(engines::run_pile(*engines::find_peer("lammps"), "lmp", s, folder.path, 1),
                       Contains("nonsense here") && Contains("log.lammps"));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Heaps of a campaign that another engine runs.
 #include "cases/read_case.hpp"
-#include "engines/lammps_pile_run.hpp"
+#include "engines/lammps_piles.hpp"
 #include "engines/process.hpp"
 #include "scaling/errors.hpp"
 #include "verify/similarity.hpp"

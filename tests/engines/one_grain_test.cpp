@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "engines/lammps_one_grain.hpp"
-
 #include "cases/read_case.hpp"
 #include "engines/lammps_run.hpp"
+#include "engines/one_throw.hpp"
+#include "engines/peer.hpp"
 #include "engines/process.hpp"
 #include "scaling/errors.hpp"
 #include "tests/engines/scratch.hpp"
@@ -17,13 +17,16 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-// A soft bead, 2 mm and 2500 kg/m^3 on its own kind: a contact of 0.2 ms, so that a run is short.
-cases::Case bead(const std::string& physics, double friction) {
-    const Scratch folder("lammps-one-grain-case");
+// A bead of 2 mm and 2500 kg/m^3, soft: a contact of 0.2 ms, so that a run is short.
+cases::Case bead(const std::string& physics, double friction, const std::string& modulus = "MPa") {
+    const Scratch folder("one-grain-case");
     engines::write_text(folder.path / "case.json",
                         R"({"format": "similitude-case/1", "title": "t",
-  "grain": {"diameter": "2 mm", "density": "2500 kg/m^3", "youngs_modulus": "5 MPa", "poisson_ratio": 0.3},
-  "plate": {"youngs_modulus": "8 MPa", "poisson_ratio": 0.25}, "surroundings": {"gravity": "9.81 m/s^2"},
+  "grain": {"diameter": "2 mm", "density": "2500 kg/m^3", "youngs_modulus": "5 )" +
+                            modulus + R"(", "poisson_ratio": 0.3},
+  "plate": {"youngs_modulus": "8 )" +
+                            modulus +
+                            R"(", "poisson_ratio": 0.25}, "surroundings": {"gravity": "9.81 m/s^2"},
   "model": {"physics": ["gravity")" +
                             physics + R"(], "parameters": {"restitution": {"value": 0.7},
       "work_of_adhesion": {"value": "0.02 J/m^2"}, "sliding_friction": {"value": )" +
@@ -36,13 +39,28 @@ cases::Case bead(const std::string& physics, double friction) {
     return cases::read_case((folder.path / "case.json").string());
 }
 
+// Null, with a word, where it is not installed.
+const engines::Peer* installed(const engines::Peer& peer) {
+    if (engines::find_program(peer.program)) return &peer;
+    WARN("left out: no program " << peer.program);
+    return nullptr;
+}
+
+rigs::Curves curves_in(const engines::Peer& peer, const cases::Case& c, std::size_t which,
+                       const std::vector<double>& at) {
+    const Scratch folder("one-grain-" + peer.name);
+    return engines::run_one_grain(peer, *engines::find_program(peer.program), c,
+                                  c.experiments[which], {at, {}}, folder.path)
+        .curves;
+}
+
 }  // namespace
 
-TEST_CASE("lammps one grain: what LAMMPS is not told of is refused by name",
-          "[engines][lammps][one-grain]") {
-    const auto message = [](const cases::Case& c, std::size_t which) -> std::string {
+TEST_CASE("one grain: what an engine is not told of is refused by name", "[engines][one-grain]") {
+    const engines::Peer& peer = GENERATE(from_range(engines::peers()));
+    const auto message = [&](const cases::Case& c, std::size_t which) -> std::string {
         try {
-            engines::lammps_one_grain(c, c.experiments[which], {{0.1}, {}});
+            peer.one_grain(c, c.experiments[which], {{0.1}, {}}, {});
         } catch (const scaling::InvalidInput& e) {
             return e.what();
         }
@@ -56,12 +74,13 @@ TEST_CASE("lammps one grain: what LAMMPS is not told of is refused by name",
     CHECK_THAT(message(bead(R"(, "hertz_coulomb")", 0.3), 0), Contains("hertz_coulomb"));
 }
 
-TEST_CASE("lammps one grain: the deck has one run, the wall's dashpot changes with a second",
-          "[engines][lammps][one-grain]") {
+TEST_CASE("one grain: LAMMPS' deck has one run, the wall's dashpot changes with a second",
+          "[engines][one-grain]") {
     const cases::Case c = bead(R"(, "hertz_mindlin")", 0.3);
     for (const std::size_t which : {0, 1}) {
-        const std::string deck =
-            engines::lammps_one_grain(c, c.experiments[which], {{0.1, 0.2}, {}}).deck;
+        const std::string deck = engines::find_peer("lammps")
+                                     ->one_grain(c, c.experiments[which], {{0.1, 0.2}, {}}, {})
+                                     .deck;
         const std::size_t run = deck.find("\nrun ");
         REQUIRE(run != std::string::npos);
         CHECK(deck.find("\nrun ", run + 1) == std::string::npos);
@@ -70,20 +89,16 @@ TEST_CASE("lammps one grain: the deck has one run, the wall's dashpot changes wi
 
 // The fall by hand: z = h - g t^2/2, first touch after sqrt(2 h/g) = 101 ms, then e sqrt(2 g h) upwards. The dashpot of LAMMPS meets e
 // to 1e-3 (restitution_to_tell), which the rebound carries 1e-3 v t = 0.1 mm far in 0.1 s.
-TEST_CASE("lammps one grain: a bead falls, bounces and slides on as by hand",
-          "[engines][lammps][one-grain]") {
-    const auto lmp = engines::find_program("lmp");
-    if (!lmp) {
-        WARN("left out: no program lmp");
-        return;
-    }
+TEST_CASE("one grain: a bead falls, bounces and slides on as by hand", "[engines][one-grain]") {
+    const engines::Peer& peer = GENERATE(from_range(engines::peers()));
+    INFO(peer.title);
+    if (installed(peer) == nullptr) return;
     const cases::Case c = bead(R"(, "hertz_mindlin")", 0.0);
-    const Scratch folder("lammps-drop");
     const double g = 9.81, h = 0.05, release = 0.01, first = std::sqrt(2.0 * h / g);
     const std::vector<double> t{
         0.0, 0.005, 0.06, 0.11, release + first + 0.05, release + first + 0.1};
-    const auto run = engines::run_lammps_one_grain(*lmp, c, c.experiments[0], {t, {}}, folder.path);
-    const std::vector<double>&z = run.curves.at("z"), &x = run.curves.at("x");
+    const rigs::Curves curves = curves_in(peer, c, 0, t);
+    const std::vector<double>&z = curves.at("z"), &x = curves.at("x");
     CHECK(z[0] == h);
     CHECK(z[1] == h);
     CHECK(x[1] == 0.0);
@@ -99,56 +114,54 @@ TEST_CASE("lammps one grain: a bead falls, bounces and slides on as by hand",
     }
 }
 
-// Walton 1993: above atan(7/2 mu (1 + e)/...) the grain slides all through and loses mu (1 + e) v_n of its way along the plate.
-TEST_CASE("lammps one grain: impacts keep e, and what slides loses Coulomb's share",
-          "[engines][lammps][one-grain]") {
-    const auto lmp = engines::find_program("lmp");
-    if (!lmp) {
-        WARN("left out: no program lmp");
-        return;
-    }
+// Walton 1993: above atan(7/2 mu (1 + e)) = 0.54 the grain slides all through and loses mu (1 + e) v_n of its way along the plate. In
+// LAMMPS to 2e-3. LIGGGHTS multiplies the friction by |F|, and the tension of the dashpot at the end makes that impulse 2.1 % larger
+// (Hertz' contact with Tsuji's dashpot, integrated); both LIGGGHTS and Yade let the dashpot act on top while the spring grows, before
+// it slides, up to 2 % more. So these lose up to 5 % more than Coulomb's share, never less. Stiff, 0.2 % of R deep, so that the lever is R.
+TEST_CASE("one grain: impacts keep e, and what slides loses Coulomb's share",
+          "[engines][one-grain]") {
+    const engines::Peer& peer = GENERATE(from_range(engines::peers()));
+    INFO(peer.title);
+    if (installed(peer) == nullptr) return;
     const double mu = 0.1, e = 0.7;
-    const cases::Case c = bead(R"(, "hertz_mindlin")", mu);
-    const Scratch folder("lammps-impact");
+    const cases::Case c = bead(R"(, "hertz_mindlin")", mu, "GPa");
     const std::vector<double> angle{0.0, 0.9, 1.2};
-    const auto run =
-        engines::run_lammps_one_grain(*lmp, c, c.experiments[1], {angle, {}}, folder.path);
-    const auto& kept = run.curves.at("tangential_restitution");
+    const rigs::Curves curves = curves_in(peer, c, 1, angle);
+    const auto& kept = curves.at("tangential_restitution");
     CHECK(std::isnan(kept[0]));
     for (std::size_t k = 0; k < angle.size(); ++k) {
         INFO(angle[k]);
-        CHECK(run.curves.at("normal_restitution")[k] == Approx(e).margin(1e-3));
+        CHECK(curves.at("normal_restitution")[k] == Approx(e).margin(1e-3));
         if (k == 0) continue;
-        const double loss = mu * (1.0 + e) / std::tan(angle[k]);
-        CHECK(kept[k] == Approx(1.0 - loss).margin(2e-3));
+        const double share = mu * (1.0 + e) / std::tan(angle[k]), loss = 1.0 - kept[k];
+        CHECK(loss >= share - 2e-3);
+        CHECK(loss <= share + (peer.name == "lammps" ? 2e-3 : 0.05 * share));
         // 5/2 of the same impulse goes into the spin.
-        CHECK(run.curves.at("rebound_spin")[k] ==
+        CHECK(curves.at("rebound_spin")[k] ==
               Approx(2.5 * loss * 1.5 * std::sin(angle[k]) / 1e-3).epsilon(0.01));
     }
 }
 
 // From rest a sphere rolls down at 5/7 g sin(a) where it grips (mu > 2/7 tan(a) = 0.05), else it slides at g (sin(a) - mu cos(a)) and
 // spins up at 5/2 mu g cos(a)/R. It lies 0.8 um deep, 0.08 % of R, and the spring of friction takes a stretch before it grips.
-TEST_CASE("lammps one grain: on a slope it rolls or slides as by hand",
-          "[engines][lammps][one-grain]") {
-    const auto lmp = engines::find_program("lmp");
-    if (!lmp) {
-        WARN("left out: no program lmp");
-        return;
-    }
+TEST_CASE("one grain: on a slope it rolls or slides as by hand", "[engines][one-grain]") {
+    const engines::Peer& peer = GENERATE(from_range(engines::peers()));
+    INFO(peer.title);
+    if (installed(peer) == nullptr) return;
     const double g = 9.81, slope = 10.0 * std::numbers::pi / 180.0, t = 0.3;
     for (const double mu : {0.02, 0.3}) {
         const cases::Case c = bead(R"(, "hertz_mindlin")", mu);
-        const Scratch folder("lammps-incline");
-        const auto run =
-            engines::run_lammps_one_grain(*lmp, c, c.experiments[2], {{0.0, t}, {}}, folder.path);
+        const rigs::Curves curves = curves_in(peer, c, 2, {0.0, 0.5 * t, t});
         const bool grips = mu > 2.0 / 7.0 * std::tan(slope);
         const double a =
             grips ? 5.0 / 7.0 * g * std::sin(slope) : g * (std::sin(slope) - mu * std::cos(slope));
         const double spin_up = grips ? a / 1e-3 : 2.5 * mu * g * std::cos(slope) / 1e-3;
         INFO(mu);
-        CHECK(run.curves.at("s")[0] == 0.0);
-        CHECK(run.curves.at("s")[1] == Approx(0.5 * a * t * t).epsilon(0.005));
-        CHECK(run.curves.at("spin")[1] == Approx(spin_up * t).epsilon(0.005));
+        CHECK(curves.at("s")[0] == 0.0);
+        for (const std::size_t k : {1, 2}) {
+            const double since = 0.5 * t * static_cast<double>(k);
+            CHECK(curves.at("s")[k] == Approx(0.5 * a * since * since).epsilon(0.005));
+            CHECK(curves.at("spin")[k] == Approx(spin_up * since).epsilon(0.005));
+        }
     }
 }

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+#include "app/peer_run.hpp"
+
+#include "app/forward_curves.hpp"
+#include "app/progress.hpp"
+#include "cases/csv.hpp"
+#include "engines/nearest.hpp"
+#include "engines/one_throw.hpp"
+#include "engines/pile_run.hpp"
+#include "engines/process.hpp"
+#include "reports/numbers.hpp"
+#include "rigs/forward.hpp"
+#include "rigs/height_map.hpp"
+#include "scaling/errors.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace app {
+
+namespace {
+
+using cases::Case;
+using cases::Experiment;
+using engines::Peer;
+using scaling::InvalidInput;
+using scaling::mistake;
+
+std::filesystem::path deck_folder(const std::filesystem::path& folder, const std::string& id,
+                                  const Peer& peer) {
+    return folder / (id + "-" + peer.name);
+}
+
+reports::Json engine_json(const Peer& peer, const std::string& release, int ranks,
+                          const std::vector<std::string>& command,
+                          const std::filesystem::path& deck, const std::string& name) {
+    return {{"name", peer.title},
+            {"version", release},
+            {"ranks", ranks},
+            {"command", engines::command_line(command)},
+            {"deck", (deck.filename() / name).string()},
+            {"log", (deck.filename() / peer.log).string()}};
+}
+
+// What only our own core can do.
+void refuse_for_peer(const CommonOptions& o, const RunPlace& place) {
+    const Peer& peer = *place.engine.peer;
+    const auto refuse = [&](const std::string& option, const std::string& remedy) {
+        throw InvalidInput(mistake(option, "with --engine " + peer.name,
+                                   fmt::format("must be left out: the run is {}' own", peer.title),
+                                   remedy));
+    };
+    if (!place.dump.formats.empty())
+        refuse("--dump",
+               fmt::format("add a dump to the deck in ID-{}/ and run it by hand", peer.name));
+    if (o.resume) refuse("--resume", "start anew");
+    if (place.sleep) refuse("--sleep", "dem_min has it");
+}
+
+ExperimentRun pile_in_peer(const PileTask& task, const EngineChoice& choice) {
+    const Peer& peer = *choice.peer;
+    const std::filesystem::path folder = deck_folder(task.folder, task.id, peer);
+    const engines::Deck deck = peer.pile(task.setup, {.nearest = choice.nearest});
+    engines::write_deck(deck, folder);
+    std::vector<std::string> off;
+    if (choice.nearest)
+        off = engines::how_far_off(peer, engines::program_of(peer), task.setup, folder / "nearest");
+    const double expected = static_cast<double>(rigs::expected_steps(task.setup));
+    Progress progress(task.progress);
+    progress.start(0.0);
+    std::int64_t reached = 0;
+    engines::PeerPileRun result = engines::run_pile(
+        peer, engines::program_of(peer), task.setup, folder, choice.ranks,
+        [&](const engines::PileProgress& p) {
+            reached = p.step;
+            const double step = static_cast<double>(p.step);
+            if (progress.due())
+                progress.show(step, expected,
+                              fmt::format("{} in {}: step {}, {}, {} grains, kinetic {}", task.id,
+                                          peer.title, reports::count(step),
+                                          reports::quantity(step * task.setup.time_step, "s"),
+                                          p.grains, reports::quantity(p.kinetic, "J")));
+        });
+    ExperimentRun run{
+        task.id, "pile", result.seconds, std::nullopt, {{"interrupted_at_step", reached}}};
+    if (result.end) {
+        rigs::PileRecord& record = result.end->record;
+        for (std::string& said : off) record.notes.push_back(std::move(said));
+        write_pile(task.folder, task.id, record);
+        run.section = reports::pile_section(task.id, record);
+        run.result = reports::to_json(record);
+    }
+    run.result["engine"] =
+        engine_json(peer, result.release, choice.ranks, result.command, folder, deck.name);
+    return run;
+}
+
+ExperimentRun curves_in_peer(const Case& c, const Experiment& e, const std::filesystem::path& where,
+                             const Peer& peer) {
+    const std::filesystem::path folder = deck_folder(where, e.id, peer);
+    const rigs::Ordinates at = rigs::ordinates_of(e);
+    const engines::PeerCurvesRun result =
+        engines::run_one_grain(peer, engines::program_of(peer), c, e, at, folder);
+    ExperimentRun run{e.id, e.rig, result.seconds, std::nullopt, {{"rows", at.at.size()}}};
+    if (!result.interrupted) {
+        const std::vector<cases::Column> columns = curve_columns(e, result.curves, at);
+        cases::write_csv((where / (e.id + ".csv")).string(), columns);
+        run.section = reports::curves_section(e.id, columns, e.recording ? &*e.recording : nullptr);
+    }
+    run.result["engine"] =
+        engine_json(peer, result.release, 1, result.command, folder, result.deck);
+    return run;
+}
+
+}  // namespace
+
+void write_pile(const std::filesystem::path& folder, const std::string& id,
+                const rigs::PileRecord& record) {
+    const rigs::HeightMap map = rigs::scan(record.heap);
+    cases::Column azimuth{"azimuth", "rad"}, r{"r", "m"}, z{"z", "m"};
+    for (std::size_t k = 0; k < map.azimuths; ++k) {
+        for (std::size_t i = 0; i < map.rings; ++i) {
+            azimuth.values.push_back(map.azimuth(k));
+            r.values.push_back(map.radius(i));
+            z.values.push_back(map.z[k * map.rings + i]);
+        }
+    }
+    cases::write_csv((folder / (id + ".csv")).string(), {azimuth, r, z});
+
+    cases::Column x{"x", "m"}, y{"y", "m"}, height{"z", "m"}, radius{"radius", "m"};
+    for (const contact::Vec3& p : record.heap.centre) {
+        x.values.push_back(p.x);
+        y.values.push_back(p.y);
+        height.values.push_back(p.z);
+    }
+    radius.values = record.heap.radius;
+    cases::write_csv((folder / (id + "-grains.csv")).string(), {x, y, height, radius});
+}
+
+std::function<ExperimentRun()> prepared_pile_in_peer(const PileTask& task, const CommonOptions& o,
+                                                     const RunPlace& place) {
+    const EngineChoice choice = place.engine;
+    refuse_for_peer(o, place);
+    engines::program_of(*choice.peer);
+    engines::refuse_ranks_without_mpirun(choice.ranks);
+    choice.peer->pile(task.setup, {.nearest = choice.nearest});
+    return [task, choice] { return pile_in_peer(task, choice); };
+}
+
+std::function<ExperimentRun()> prepared_in_peer(const Case& c, const Experiment& e,
+                                                const CommonOptions& o, const RunPlace& place) {
+    const Peer& peer = *place.engine.peer;
+    refuse_for_peer(o, place);
+    if (place.engine.ranks > 1)
+        throw InvalidInput(mistake("--ranks", std::to_string(place.engine.ranks),
+                                   "must be 1 for a single grain", "leave --ranks out"));
+    engines::program_of(peer);
+    peer.one_grain(c, e, rigs::ordinates_of(e), {});
+    return [&c, &e, folder = place.folder, &peer] { return curves_in_peer(c, e, folder, peer); };
+}
+
+}  // namespace app

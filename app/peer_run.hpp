@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// An experiment run in another engine: its deck stays in ID-ENGINE/, whatever comes of its run.
+#pragma once
+
+#include "app/experiment.hpp"
+#include "app/pile_task.hpp"
+
+#include <filesystem>
+#include <functional>
+
+namespace app {
+
+// As `prepared` (app/experiment.hpp): all that can be wrong is said now. Throw scaling::InvalidInput.
+std::function<ExperimentRun()> prepared_pile_in_peer(const PileTask&, const CommonOptions&,
+                                                     const RunPlace&);
+std::function<ExperimentRun()> prepared_in_peer(const cases::Case&, const cases::Experiment&,
+                                                const CommonOptions&, const RunPlace&);
+
+// ID.csv with the scanned heap and ID-grains.csv.
+void write_pile(const std::filesystem::path& folder, const std::string& id,
+                const rigs::PileRecord&);
+
+}  // namespace app

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "engines/deck.hpp"
+
+#include "engines/lammps_run.hpp"
+#include "scaling/errors.hpp"
+
+namespace engines {
+
+void write_deck(const Deck& d, const std::filesystem::path& folder) {
+    std::filesystem::remove_all(folder / "feed");  // batches of a longer feed
+    for (const char* result : {"final.dump", "rows.dump", "log.yade"})
+        std::filesystem::remove(folder / result);
+    std::filesystem::create_directories(folder);
+    write_text(folder / d.name, d.deck);
+    for (const auto& [name, text] : d.files) {
+        std::filesystem::create_directories((folder / name).parent_path());
+        write_text(folder / name, text);
+    }
+}
+
+void refuse(const DeckOptions& o, const std::string& engine, const std::string& what,
+            const std::string& remedy) {
+    throw scaling::InvalidInput(scaling::mistake(o.option, engine, what, remedy));
+}
+
+}  // namespace engines

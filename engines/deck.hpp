@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// A deck for another engine: the input that it runs, and the files beside it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace engines {
+
+struct Deck {
+    std::string name;                                          // "deck.in"
+    std::string deck;                                          // its text
+    std::vector<std::pair<std::string, std::string>> files{};  // name and text, beside it
+};
+
+// Results and batches of an earlier run in the folder go.
+void write_deck(const Deck&, const std::filesystem::path& folder);
+
+// How a deck is asked for.
+struct DeckOptions {
+    std::string option = "--engine";  // that a refusal names
+    bool nearest = false;  // where the engine has not the case's law, the nearest that it has
+};
+
+// Throws scaling::InvalidInput: `engine` cannot what `what` says.
+[[noreturn]] void refuse(const DeckOptions&, const std::string& engine, const std::string& what,
+                         const std::string& remedy);
+
+}  // namespace engines
