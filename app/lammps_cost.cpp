@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-constexpr double speed = 1.4e6;     // grain-steps/s of one rank, docs/export.md
+constexpr double speed = 3.6e6;     // grain-steps/s of one rank, docs/export.md
 constexpr double efficiency = 0.5;  // of several ranks: assumed, not measured on a cluster
 constexpr double margin = 3.0;      // cores differ, and the heap may take long to come to rest
 
