@@ -3,210 +3,43 @@
 
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
-#include "app/lammps_cost.hpp"
-#include "app/machine_speed.hpp"
 #include "app/progress.hpp"
-#include "calibrate/calibration.hpp"
-#include "cases/csv.hpp"
-#include "cases/messages.hpp"
 #include "cases/read_case.hpp"
-#include "reports/numbers.hpp"
 #include "reports/road.hpp"
-#include "scaling/errors.hpp"
 #include "verify/pile_runs.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <map>
-#include <memory>
+#include <optional>
 
 namespace app {
 
 namespace {
 
-using calibrate::Calibration;
-using calibrate::Request;
-using calibrate::Run;
-using scaling::InvalidInput;
-using scaling::mistake;
-
-constexpr double longest_unasked = 12.0 * 3600.0;  // s: a night
-
-const cases::Experiment& pile_of(const cases::Case& c, const std::string& id) {
-    std::vector<std::string> piles;
-    const cases::Experiment* chosen = nullptr;
-    for (const cases::Experiment& e : c.experiments) {
-        if (e.rig != "pile") continue;
-        piles.push_back(e.id);
-        if (id.empty() ? chosen == nullptr && e.recording.has_value() : e.id == id) chosen = &e;
+// Nothing where a signal came.
+std::optional<calibrate::Calibration> calibrated(const cases::Case& c, const RoadOptions& o,
+                                                 bool quiet) {
+    Progress progress(!quiet);
+    const CalibrationWatch watch{
+        .progress =
+            [&progress](double done, double of, const std::string& ended) {
+                progress.show(done, of, ended.empty() ? "heaps" : "heaps, last finished: " + ended);
+            },
+        .stop = &interrupt_flag()};
+    try {
+        return calibration(c, o, watch);
+    } catch (const verify::Interrupted&) {
+        return std::nullopt;
     }
-    if (chosen != nullptr) return *chosen;
-    if (id.empty())
-        throw InvalidInput(mistake(c.path + ": experiments", "no pile with a recording",
-                                   "must hold one to calibrate against",
-                                   "give a pile a recording of angle_of_repose"));
-    throw InvalidInput(
-        mistake("--experiment", cases::in_quotes(id), "must be a pile of this case",
-                piles.empty() ? "this case has none" : cases::suggestion(id, piles)));
 }
-
-// One calibration: what it is made of, and the runs so far.
-class Campaign {
-  public:
-    Campaign(const CampaignOptions& o, const cases::Case& c)
-        : options_(o),
-          case_(c),
-          pile_(pile_of(c, o.experiment)),
-          choice_(choice_of(o.heaps)),
-          remembered_(std::filesystem::path(o.out) / "similitude-heaps"),
-          engine_(engine_of(choice_, remembered_)),
-          progress_(!o.common.quiet) {
-        result_.pile =
-            calibrate::pile_problem(c, pile_, {o.estimator, o.bulk_density}, o.common.seed);
-        calibrate::check(result_.pile.problem);
-        refuse_cost();
-        if (!o.common.resume) std::filesystem::remove_all(remembered_);
-        watch_interrupts();
-    }
-
-    // Throws verify::Interrupted.
-    Calibration run() {
-        for (std::vector<Request> asked = next(); !asked.empty(); asked = next()) {
-            for (Run& run : poured(asked)) result_.history.push_back(std::move(run));
-            write_runs();
-        }
-        for (const auto& [criterion, heaps] : missed_)
-            result_.pile.notes.push_back(fmt::format("{} of {} heaps fail at: {}", heaps,
-                                                     result_.history.size(),
-                                                     reports::words(criterion)));
-        return std::move(result_);
-    }
-
-  private:
-    bool paper() const { return options_.road == "paper"; }
-    calibrate::PaperOptions paper_options() const { return {.confirmations = options_.confirm}; }
-    int most_runs() const {
-        return paper() ? calibrate::most_runs(result_.pile.problem, paper_options())
-                       : options_.budget + options_.confirm;
-    }
-
-    // What the road wants next; nothing once it has its answer.
-    std::vector<Request> next() {
-        const calibrate::Problem& p = result_.pile.problem;
-        if (paper()) {
-            calibrate::PaperStep step = calibrate::next(p, paper_options(), result_.history);
-            result_.paper = step.result;
-            return step.requests;
-        }
-        calibrate::SurrogateStep step = calibrate::next(
-            p, {.budget = most_runs(), .batch = options_.batch, .confirmations = options_.confirm},
-            result_.history);
-        result_.surrogate = step.result;
-        return step.requests;
-    }
-
-    int threads() const { return threads_of(options_.common); }
-
-    rigs::PileSetup setup_of(const Request& r) const {
-        const cases::Case there = calibrate::at_point(case_, result_.pile.problem, r.point);
-        return chosen_setup(there, *there.find(pile_.id), r.seed, options_.yes, choice_);
-    }
-
-    void refuse_cost() const {
-        const rigs::PileSetup one =
-            chosen_setup(case_, pile_, options_.common.seed, options_.yes, choice_);
-        if (options_.yes) return;
-        const double work = static_cast<double>(one.feed_time.size()) *
-                            static_cast<double>(rigs::expected_steps(one));
-        const double of_one = choice_.peer != nullptr ? lammps_cost(one, choice_.ranks).seconds
-                                                      : work / measured_speed(1) / threads();
-        const double seconds = of_one * most_runs();
-        if (seconds > longest_unasked)
-            throw InvalidInput(mistake(
-                "experiment " + cases::in_quotes(pile_.id),
-                fmt::format("{} heaps, about {} on this machine", most_runs(),
-                            reports::quantity(seconds, "s")),
-                "must not need more than 12 h unasked",
-                "take fewer or larger grains (similitude scale), fewer runs, or say --yes"));
-    }
-
-    verify::Campaign side_by_side() {
-        const double before = static_cast<double>(result_.history.size());
-        const double all = most_runs();
-        return {.threads = threads(),
-                .engine = engine_.get(),
-                .remembered_in = remembered_,
-                .progress =
-                    [this, before, all](double done, double of, const std::string& ended) {
-                        progress_.show(before + done / of * asked_, all,
-                                       ended.empty() ? "heaps" : "heaps, last finished: " + ended);
-                    },
-                .stop = &interrupt_flag()};
-    }
-
-    std::vector<Run> poured(const std::vector<Request>& asked) {
-        std::vector<verify::PileJob> jobs;
-        for (const Request& r : asked)
-            jobs.push_back({.name = fmt::format("{}-{}", r.stage, r.seed),
-                            .seed = r.seed,
-                            .setup = setup_of(r)});
-        asked_ = static_cast<double>(jobs.size());
-        std::vector<Run> runs;
-        const double density = case_.grain.density.value.value();
-        for (const verify::PileSample& s : verify::run_piles(jobs, side_by_side())) {
-            for (const std::string& criterion : s.missed) ++missed_[criterion];
-            runs.push_back(
-                {asked[runs.size()], calibrate::values_of(result_.pile,
-                                                          {.formed = s.formed,
-                                                           .at_rest = s.at_rest,
-                                                           .angles = s.angles_deg,
-                                                           .packing_fraction = s.packing_fraction},
-                                                          density)});
-        }
-        return runs;
-    }
-
-    void write_runs() const {
-        const calibrate::Problem& p = result_.pile.problem;
-        cases::Column seed{"seed", "1"}, formed{"formed", "1"}, stage{"stage", ""};
-        std::vector<cases::Column> columns;
-        for (const calibrate::Factor& f : p.factors) columns.push_back({f.name, f.unit});
-        for (const calibrate::Target& t : p.targets) columns.push_back({t.name, t.unit});
-        for (const Run& run : result_.history) {
-            seed.values.push_back(static_cast<double>(run.request.seed));
-            stage.words.push_back(run.request.stage);
-            formed.values.push_back(run.values ? 1.0 : 0.0);
-            for (std::size_t k = 0; k < p.factors.size(); ++k)
-                columns[k].values.push_back(run.request.point[static_cast<Eigen::Index>(k)]);
-            for (std::size_t k = 0; k < p.targets.size(); ++k)
-                columns[p.factors.size() + k].values.push_back(run.values ? (*run.values)[k]
-                                                                          : std::nan(""));
-        }
-        columns.insert(columns.begin(), {stage, seed, formed});
-        cases::write_csv((std::filesystem::path(options_.out) / "runs.csv").string(), columns);
-    }
-
-    const CampaignOptions& options_;
-    const cases::Case& case_;
-    const cases::Experiment& pile_;
-    EngineChoice choice_;
-    std::filesystem::path remembered_;
-    std::unique_ptr<rigs::PileEngine> engine_;  // none: our own core
-    Progress progress_;
-    Calibration result_{};
-    std::map<std::string, int> missed_;  // criterion of a heap, how many failed at it
-    double asked_ = 1.0;                 // heaps of the batch that is being poured
-};
 
 }  // namespace
 
-void add_campaign_options(CLI::App& verb, CampaignOptions& o) {
+void add_campaign_options(CLI::App& verb, CampaignOptions& campaign) {
+    RoadOptions& o = campaign.road;
     verb.add_option("--experiment", o.experiment, "the pile; the first with a recording otherwise")
         ->type_name("ID");
     verb.add_option("--road", o.road, "surrogate, or paper (Niu et al. 2026)")
@@ -235,26 +68,23 @@ void add_campaign_options(CLI::App& verb, CampaignOptions& o) {
 }
 
 int calibrate_campaign(const CampaignOptions& o, const std::string& command) {
-    if (o.road != "surrogate" && o.road != "paper")
-        throw InvalidInput(mistake("--road", cases::in_quotes(o.road), "must be surrogate or paper",
-                                   "surrogate is the default"));
     const cases::Case c = cases::read_case(o.path);
-    Calibration done;
-    try {
-        done = Campaign(o, c).run();
-    } catch (const verify::Interrupted&) {
+    RoadOptions road = o.road;
+    road.seed = o.common.seed, road.threads = threads_of(o.common), road.resume = o.common.resume;
+    watch_interrupts();
+    const auto done = calibrated(c, road, o.common.quiet);
+    if (!done) {
         fmt::print(stderr, "similitude: interrupted; the same command with --resume goes on\n");
         return interrupted;
     }
     reports::Provenance who = provenance(command, o.path);
-    who.threads = threads_of(o.common);
-    who.seeds = {o.common.seed};
-    reports::Json json = {{"format", "similitude-calibration/1"}, {"tool", reports::to_json(who)}};
-    json.update(reports::to_json(done));
-    print(o.common, reports::text_of(done));
-    write_results(o.common, json, [&] { return reports::page_of(c, done, who); });
-    if (!done.answer()) return cannot_tell;
-    return calibrate::holds(done) ? fine : answer_is_no;
+    who.threads = road.threads;
+    who.seeds = {road.seed};
+    const reports::Json json = reports::to_json(*done, who);
+    print(o.common, reports::text_of(*done));
+    write_results(o.common, json, [&] { return reports::page_of(c, *done, who); });
+    if (!done->answer()) return cannot_tell;
+    return calibrate::holds(*done) ? fine : answer_is_no;
 }
 
 }  // namespace app

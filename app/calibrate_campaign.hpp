@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// `calibrate CASE`: the runs that a road asks for, poured side by side, each remembered as soon as it has ended.
+// `calibrate CASE`: its options, what it prints and how it ends.
 #pragma once
 
+#include "app/calibration_runs.hpp"
 #include "app/common.hpp"
-#include "app/heaps_engine.hpp"
 
 #include <string>
 
@@ -11,14 +11,8 @@ namespace app {
 
 struct CampaignOptions {
     CommonOptions common;
-    std::string path, experiment, out = "out/calibrate";
-    std::string road = "surrogate", estimator;  // estimator empty: the recording's
-    bool bulk_density = false, yes = false;
-    HeapsEngine heaps;
-    int budget = 34;  // runs of the surrogate's road; the paper's road makes those that it has
-    int batch =
-        2;  // runs that the surrogate's road decides on together; not the number of threads: that changes no answer
-    int confirm = 6;  // heaps of fresh seeds at the answer, on top
+    std::string path;
+    RoadOptions road{.out = "out/calibrate"};  // seed, threads and resume are the common ones
 };
 
 // All but CASE and the common ones.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What python/similitude/__init__.py calls: one case in, one answer out, as each verb of the command line.
+#include "app/calibration_runs.hpp"
 #include "app/forward_curves.hpp"
 #include "app/machine_speed.hpp"
 #include "app/scale_input.hpp"
@@ -13,6 +14,7 @@
 #include "python/pile.hpp"
 #include "reports/diagnosis.hpp"
 #include "reports/diagnosis_json.hpp"
+#include "reports/road.hpp"
 #include "reports/runs.hpp"
 #include "reports/text.hpp"
 #include "rigs/single_grain.hpp"
@@ -125,25 +127,44 @@ Prediction predict(const std::string& path, const std::string& id,
              [c, section, who] { return reports::page_of(*c, std::vector{section}, who); }}};
 }
 
-// On another thread, while this one looks for signals.
-diagnose::Verdict judged(const Case& c, diagnose::Settings settings) {
-    std::atomic<bool> stop{false};
-    settings.progress = [&stop](double, const std::string&) { return !stop; };
-    std::future<diagnose::Verdict> verdict = std::async(
-        std::launch::async, [&] { return diagnose::diagnose(c, settings, cases::open_held_out); });
+// `work` on another thread, while this one looks for signals; it ends soon after `stop` is set.
+template <class Work>
+auto interruptible(std::atomic<bool>& stop, const Work& work) {
+    auto result = std::async(std::launch::async, work);
     for (bool ready = false; !ready;) {
         {
             const py::gil_scoped_release others_may;
-            ready = verdict.wait_for(std::chrono::milliseconds(50)) == std::future_status::ready;
+            ready = result.wait_for(std::chrono::milliseconds(50)) == std::future_status::ready;
         }
         if (PyErr_CheckSignals() == 0) continue;
         py::error_already_set raised;
         stop = true;
         const py::gil_scoped_release others_may;
-        verdict.wait();
+        result.wait();
         throw raised;
     }
-    return verdict.get();
+    return result.get();
+}
+
+diagnose::Verdict judged(const Case& c, diagnose::Settings settings) {
+    std::atomic<bool> stop{false};
+    settings.progress = [&stop](double, const std::string&) { return !stop; };
+    return interruptible(stop,
+                         [&] { return diagnose::diagnose(c, settings, cases::open_held_out); });
+}
+
+Answer calibrated(const std::string& path, app::RoadOptions road, const std::string& command) {
+    const auto c = std::make_shared<const Case>(cases::read_case(path));
+    road.threads = threads_of(road.threads);
+    std::atomic<bool> stop{false};
+    const app::CalibrationWatch watch{[](double, double, const std::string&) {}, &stop};
+    const auto done = std::make_shared<const calibrate::Calibration>(
+        interruptible(stop, [&] { return app::calibration(*c, road, watch); }));
+    reports::Provenance who = provenance(command, c->path);
+    who.seeds = {road.seed};
+    who.threads = road.threads;
+    return {reports::to_json(*done, who), reports::text_of(*done),
+            [c, done, who] { return reports::page_of(*c, *done, who); }};
 }
 
 Answer diagnosis(const std::string& path, std::uint64_t seed, int threads, double alpha,
@@ -220,6 +241,23 @@ PYBIND11_MODULE(_core, m) {
         },
         py::arg("case"), py::kw_only(), py::arg("experiment"), py::arg("parameters"), py::arg("at"),
         py::arg("command"));
+    m.def(
+        "calibrate",
+        [](const std::string& path, const std::string& experiment, const std::string& road,
+           int budget, int confirm, const std::string& estimator, bool bulk_density,
+           std::uint64_t seed, int threads, const std::string& out, bool resume, bool yes,
+           const std::string& command) {
+            app::RoadOptions o;
+            o.experiment = experiment, o.road = road, o.estimator = estimator;
+            o.bulk_density = bulk_density;
+            o.budget = budget, o.confirm = confirm;
+            o.seed = seed, o.threads = threads;
+            o.out = out, o.resume = resume, o.yes = yes;
+            return calibrated(path, o, command);
+        },
+        py::arg("case"), py::kw_only(), py::arg("experiment"), py::arg("road"), py::arg("budget"),
+        py::arg("confirm"), py::arg("estimator"), py::arg("bulk_density"), py::arg("seed"),
+        py::arg("threads"), py::arg("out"), py::arg("resume"), py::arg("yes"), py::arg("command"));
     m.def("diagnose", &diagnosis, py::arg("case"), py::kw_only(), py::arg("seed"),
           py::arg("threads"), py::arg("alpha"), py::arg("command"));
 }

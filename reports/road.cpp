@@ -180,7 +180,7 @@ Json json_of(const calibrate::PaperResult& r) {
 
 }  // namespace
 
-Json to_json(const Calibration& c) {
+Json to_json(const Calibration& c, const Provenance& who) {
     Json factors = Json::array(), targets = Json::array();
     for (const Factor& f : c.pile.problem.factors)
         factors.push_back({{"name", f.name}, {"unit", f.unit}, {"range", {f.low, f.high}}});
@@ -200,7 +200,9 @@ Json to_json(const Calibration& c) {
             {"agrees", there->agrees}};
     }
     const auto answer = c.answer();
-    Json json{{"experiment", c.pile.experiment},
+    Json json{{"format", "similitude-calibration/1"},
+              {"tool", to_json(who)},
+              {"experiment", c.pile.experiment},
               {"estimator", rigs::to_string(c.pile.estimator)},
               {"road", c.paper ? "paper" : "surrogate"},
               {"factors", factors},

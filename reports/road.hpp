@@ -11,8 +11,8 @@
 
 namespace reports {
 
-// Factors and targets in SI (angles in deg, as `unit` says); every run of the road, and those of fresh seeds.
-Json to_json(const calibrate::Calibration&);
+// Format similitude-calibration/1: factors and targets (angles in deg, all else in SI, as `unit` says), answer, every run.
+Json to_json(const calibrate::Calibration&, const Provenance&);
 
 std::string text_of(const calibrate::Calibration&);
 

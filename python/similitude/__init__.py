@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Scale factors, adhesion and similarity checks for DEM of cohesive powders (docs/python.md).
 
-scale, simulate, predict and diagnose take a case (a folder or its case.json) and give what the verb
+scale, simulate, predict, calibrate and diagnose take a case (a folder or its case.json) and give what the verb
 of that name gives with --json, as a dict. SI throughout; a quantity goes in as text with its unit.
 """
 
@@ -12,7 +12,7 @@ import os as _os
 from . import _core
 from ._core import InvalidInput, __version__
 
-__all__ = ["Curves", "Diagnosis", "Heap", "InvalidInput", "Pile", "Result", "Scale", "diagnose", "predict", "scale", "simulate"]
+__all__ = ["Calibration", "Curves", "Diagnosis", "Heap", "InvalidInput", "Pile", "Result", "Scale", "calibrate", "diagnose", "predict", "scale", "simulate"]
 
 
 def _command(function, case, options):
@@ -89,6 +89,12 @@ class Diagnosis(Result):
     _table = "hypotheses"
 
 
+class Calibration(Result):
+    """What `similitude calibrate` says: format similitude-calibration/1, docs/calibrate.md."""
+
+    _table = "factors"
+
+
 class Curves(Result):
     """Channel -> numpy array (branch: list of words), the ordinate first. `units`: channel -> SI unit."""
 
@@ -163,6 +169,13 @@ def predict(case, experiment="", *, parameters={}, at=None):
     SI. `parameters`: values in place of the case's, written as there, "0.2 J/m^2"; of a pull-off, `at` is on the approach."""
     options = dict(experiment=experiment, parameters=dict(parameters), at=None if at is None else [float(a) for a in at])
     return Curves(*_core.predict(_os.fspath(case), command=_command(predict, case, options), **options))
+
+
+def calibrate(case, *, experiment="", road="surrogate", budget=34, confirm=6, estimator="", bulk_density=False, seed=1, threads=0, out="", resume=False, yes=False):
+    """Free parameters from a recorded angle of repose: `similitude calibrate` (docs/calibrate.md). Heaps are poured here,
+    so it may take hours; Ctrl-C stops it. With a folder `out` and resume=True it goes on where it was stopped."""
+    options = dict(experiment=experiment, road=road, budget=budget, confirm=confirm, estimator=estimator, bulk_density=bulk_density, seed=seed, threads=threads, out=_os.fspath(out), resume=resume, yes=yes)
+    return Calibration(_core.calibrate(_os.fspath(case), command=_command(calibrate, case, options), **options))
 
 
 def diagnose(case, *, seed=1, threads=0, alpha=0.05):

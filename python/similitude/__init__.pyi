@@ -22,6 +22,7 @@ class Result(dict[str, Any]):
 
 class Scale(Result): ...
 class Heap(Result): ...
+class Calibration(Result): ...
 class Diagnosis(Result): ...
 
 class Curves(Result):
@@ -61,4 +62,19 @@ def predict(
     parameters: Mapping[str, Union[float, str]] = {},
     at: Optional[Union[Iterable[float], NDArray[np.float64]]] = None,
 ) -> Curves: ...
+def calibrate(
+    case: _Case,
+    *,
+    experiment: str = "",
+    road: str = "surrogate",
+    budget: int = 34,
+    confirm: int = 6,
+    estimator: str = "",
+    bulk_density: bool = False,
+    seed: int = 1,
+    threads: int = 0,
+    out: _Case = "",
+    resume: bool = False,
+    yes: bool = False,
+) -> Calibration: ...
 def diagnose(case: _Case, *, seed: int = 1, threads: int = 0, alpha: float = 0.05) -> Diagnosis: ...

@@ -3,6 +3,7 @@
 import json
 import math
 import os
+import pathlib
 import pickle
 import tempfile
 import unittest
@@ -164,6 +165,36 @@ class Predict(unittest.TestCase):
         curves = similitude.predict(root / "tests/diagnose/data/pull-off-adhesion")
         self.assertEqual(set(curves["branch"]), {"approach", "retract"})
         self.assertEqual(len(curves["branch"]), len(curves["force"]))
+
+
+small_calibration = json.loads("""{
+  "format": "similitude-case/1",
+  "grain": {"diameter": "4 mm", "density": "1200 kg/m^3", "youngs_modulus": "2 MPa", "poisson_ratio": 0.3},
+  "plate": {"youngs_modulus": "200 GPa", "poisson_ratio": 0.3},
+  "surroundings": {"gravity": "9.81 m/s^2"},
+  "model": {"physics": ["gravity", "hertz_mindlin", "rolling_resistance"],
+    "parameters": {"restitution": {"value": 0.4}, "sliding_friction": {"value": 0.5, "range": [0.2, 0.9]},
+                   "rolling_friction": {"value": 0.2, "range": [0.1, 0.5]}}},
+  "experiments": [{"id": "heap", "rig": "pile", "recording": "angles.csv",
+    "conditions": {"base": "flat", "base_diameter": "48 mm", "grains": 300}}]
+}""")
+
+
+class Calibrate(unittest.TestCase):
+    def test_is_the_json_of_the_command_line(self):
+        with tempfile.TemporaryDirectory() as place:
+            path = case_of(small_calibration, place)
+            (pathlib.Path(place) / "angles.csv").write_text("angle_of_repose [deg],estimator\n29,two_h_over_d\n31,two_h_over_d\n")
+            _, expected, trouble = program("calibrate", path, "--budget", 5, "--confirm", 1, "--quiet", "--out", pathlib.Path(place) / "cli")
+            self.assertIsNotNone(expected, trouble)
+            got = similitude.calibrate(path, budget=5, confirm=1, out=pathlib.Path(place) / "module")
+            self.assertEqual(without(dict(got), "tool"), without(expected, "tool"))
+            self.assertEqual(len(got["runs"]), 6)
+            self.assertEqual(list(got.table()["name"]), ["rolling_friction", "sliding_friction"])
+            self.assertTrue((pathlib.Path(place) / "module/runs.csv").exists())
+            self.assertIn("<svg", got.page())
+            with self.assertRaisesRegex(similitude.InvalidInput, "surrogate or paper"):
+                similitude.calibrate(path, road="shorter")
 
 
 class Diagnose(unittest.TestCase):
