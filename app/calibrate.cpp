@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include <memory>
+#include <utility>
 
 namespace app {
 
@@ -34,7 +35,8 @@ constexpr const char* examples = R"(Examples:
 
 int replay(const CampaignOptions& o, const std::string& command) {
     const cases::Case c = cases::read_case(o.path);
-    const calibrate::Replayed r = calibrate::replayed(c, scale_input(c, {}));
+    calibrate::Published published = calibrate::read_published(c.path);
+    const calibrate::Replayed r = calibrate::replayed(std::move(published), c, scale_input(c, {}));
     const reports::Provenance who = provenance(command, o.path);
     reports::Json json = {{"format", "similitude-replay/1"}, {"tool", reports::to_json(who)}};
     json.update(reports::to_json(r));

@@ -81,10 +81,10 @@ Exported exported(const cases::Case& c, const cases::Experiment& e, const Export
 
 std::string estimate_text(const LammpsCost& cost, int ranks) {
     return fmt::format(
-        "estimate: {} grains, {} steps, {} grain-steps, {} h on {} rank{} (docs/export.md says of "
+        "estimate: {} grains, {} steps, {} grain-steps, {} on {} rank{} (docs/export.md says of "
         "which machine)",
         reports::count(cost.grains), reports::count(cost.steps), reports::count(cost.grain_steps),
-        reports::number(cost.seconds / 3600.0), ranks, ranks == 1 ? "" : "s");
+        reports::quantity(cost.seconds, "s"), ranks, ranks == 1 ? "" : "s");
 }
 
 bool has_deck(const cases::Experiment& e) {

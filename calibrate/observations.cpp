@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace calibrate {
 
@@ -38,9 +39,9 @@ std::vector<Observation> by_topic(const std::vector<Observation>& all) {
 
 }  // namespace
 
-Replayed replayed(const cases::Case& c, const scaling::ScaleInput& input) {
+Replayed replayed(Published published, const cases::Case& c, const scaling::ScaleInput& input) {
     const scaling::ScaleStudy study = scaling::study(input);
-    Replayed r{read_published(c.path), {}, {}, {}};
+    Replayed r{std::move(published), {}, {}, {}};
     r.replay = replay(r.published, study);
     r.audit = audit(audit_input(r.published));
     r.observations = screening_observations(r.published, r.replay, r.audit);

@@ -53,7 +53,7 @@ struct Replayed {
     bool holds() const { return replay.mismatches == 0 && audit.ranking.identifiable; }
 };
 
-// Reads published.json beside the case. Throws scaling::InvalidInput and as audit() and study().
-Replayed replayed(const cases::Case&, const scaling::ScaleInput&);
+// `published` of the same case (read_published). Throws scaling::InvalidInput and as audit() and study().
+Replayed replayed(Published published, const cases::Case&, const scaling::ScaleInput&);
 
 }  // namespace calibrate

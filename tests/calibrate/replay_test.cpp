@@ -48,7 +48,8 @@ scaling::ScaleInput paper_input() {
 }
 
 const Replayed& paper() {
-    static const Replayed r = replayed(cases::read_case(zirconia), paper_input());
+    static const Replayed r =
+        replayed(read_published(zirconia), cases::read_case(zirconia), paper_input());
     return r;
 }
 
