@@ -4,7 +4,7 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-set(library_rooms scaling contact cases dem_min rigs statistics diagnose)
+set(library_rooms scaling contact cases dem_min rigs statistics calibrate diagnose)
 
 install(TARGETS similitude RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
 install(FILES packaging/similitude.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
