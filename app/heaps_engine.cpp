@@ -27,6 +27,10 @@ EngineChoice choice_of(const HeapsEngine& o) {
         throw scaling::InvalidInput(scaling::mistake("--engine", choice.peer->name,
                                                      "must be dem_min or lammps to run many heaps",
                                                      "simulate runs single ones"));
+    if (choice.nearest)
+        throw scaling::InvalidInput(scaling::mistake("--contact", "nearest",
+                                                     "must be own or lammps to run many heaps",
+                                                     "LAMMPS has the laws of --contact lammps"));
     return choice;
 }
 

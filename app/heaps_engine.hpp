@@ -23,7 +23,7 @@ struct HeapsEngine {
 // --engine, --ranks, --contact.
 void add_heaps_engine(CLI::App& verb, HeapsEngine&);
 
-// Throws scaling::InvalidInput, also for an engine that runs single heaps only.
+// Throws scaling::InvalidInput, also for an engine or contact rules of single heaps only.
 EngineChoice choice_of(const HeapsEngine&);
 
 // None for our own core. Its decks run in `remembered`/ENGINE.

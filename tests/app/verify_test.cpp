@@ -73,6 +73,13 @@ TEST_CASE("verify: heaps are run by another engine only where it can take their 
     CHECK(o.code == 2);  // without lmp installed, that
     CHECK(o.err.find("lammps") != std::string::npos);
     CHECK(similitude({"verify", zirconia, "--ranks", "2", "--out", f / "out"}).code == 2);
+    const Outcome single = similitude({"verify", zirconia, "--engine", "yade", "--out", f / "out"});
+    CHECK(single.code == 2);
+    CHECK(single.err.find("must be dem_min or lammps") != std::string::npos);
+    const Outcome nearest = similitude(
+        {"verify", zirconia, "--engine", "lammps", "--contact", "nearest", "--out", f / "out"});
+    CHECK(nearest.code == 2);
+    CHECK(nearest.err.find("must be own or lammps") != std::string::npos);
     CHECK(similitude({"verify", "--exact", "--engine", "lammps"}).code == 2);
     CHECK(similitude({"verify", "--against", "lammps", "--contact", "lammps"}).code == 2);
 }

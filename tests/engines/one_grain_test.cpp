@@ -72,6 +72,10 @@ TEST_CASE("one grain: what an engine is not told of is refused by name", "[engin
     CHECK_THAT(message(bead(R"(, "hertz_mindlin", "adhesion")", 0.3), 0),
                Contains("adhesion on a single grain"));
     CHECK_THAT(message(bead(R"(, "hertz_coulomb")", 0.3), 0), Contains("hertz_coulomb"));
+    cases::Case euler = bead(R"(, "hertz_mindlin")", 0.3);
+    euler.model.numerics.integrator = "euler";
+    for (const std::size_t which : {0, 1, 2})
+        CHECK_THAT(message(euler, which), Contains("not of Euler"));
 }
 
 TEST_CASE("one grain: LAMMPS' deck has one run, the wall's dashpot changes with a second",
