@@ -226,12 +226,12 @@ Verdict verdict_of(const Calibration& c) {
     for (std::size_t k = 0; k < targets.size(); ++k) {
         if (!targets[k].value) continue;
         const auto there = calibrate::confirmed(c, k);
-        why += fmt::format("{}{}: measured {} +- {} {}, {}", why.empty() ? "" : "; ",
-                           words(targets[k].name), number(*targets[k].value),
-                           number(targets[k].standard_deviation), targets[k].unit,
-                           there ? fmt::format("{} fresh heaps at the answer have {}", there->heaps,
-                                               number(there->mean))
-                                 : "no fresh heap formed");
+        why += fmt::format(
+            "{}{}: measured {} +- {} {}, {}", why.empty() ? "" : "; ", words(targets[k].name),
+            number(*targets[k].value), number(targets[k].standard_deviation), targets[k].unit,
+            there ? fmt::format("{} of {} fresh heaps formed at the answer and have {}",
+                                there->heaps, c.confirming().size(), number(there->mean))
+                  : "no fresh heap formed");
     }
     return calibrate::holds(c) ? Verdict{Answer::yes, "Fresh heaps meet what was measured", why}
                                : Verdict{Answer::no, "Fresh heaps miss what was measured", why};

@@ -49,7 +49,7 @@ TEST_CASE("road: fresh heaps at the answer decide, not the surrogate", "[reports
     CHECK(reports::verdict_of(calibrated(0.0)).answer == reports::Answer::yes);
     const reports::Verdict missed = reports::verdict_of(calibrated(3.0));
     CHECK(missed.answer == reports::Answer::no);
-    CHECK_THAT(missed.why, Contains("32") && Contains("3 fresh heaps"));
+    CHECK_THAT(missed.why, Contains("32") && Contains("3 of 3 fresh heaps"));
     calibrate::Calibration none{};
     none.pile = problem();
     CHECK(reports::verdict_of(none).answer == reports::Answer::cannot_tell);
