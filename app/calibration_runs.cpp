@@ -2,7 +2,7 @@
 #include "app/calibration_runs.hpp"
 
 #include "app/lammps_cost.hpp"
-#include "app/machine_speed.hpp"
+#include "app/pile_cost.hpp"
 #include "cases/csv.hpp"
 #include "cases/messages.hpp"
 #include "reports/numbers.hpp"
@@ -25,8 +25,6 @@ using calibrate::Request;
 using calibrate::Run;
 using scaling::InvalidInput;
 using scaling::mistake;
-
-constexpr double longest_unasked = 12.0 * 3600.0;  // s: a night
 
 const cases::Experiment& pile_of(const cases::Case& c, const std::string& id) {
     std::vector<std::string> piles;
@@ -108,10 +106,8 @@ class Campaign {
         const rigs::PileSetup one =
             chosen_setup(case_, pile_, options_.seed, options_.yes, choice_);
         if (options_.yes) return;
-        const double work = static_cast<double>(one.feed_time.size()) *
-                            static_cast<double>(rigs::expected_steps(one));
         const double of_one = choice_.peer != nullptr ? lammps_cost(one, choice_.ranks).seconds
-                                                      : work / measured_speed(1) / options_.threads;
+                                                      : seconds_of(one, 1) / options_.threads;
         const double seconds = of_one * most_runs();
         if (seconds > longest_unasked)
             throw InvalidInput(mistake(

@@ -17,8 +17,7 @@ using cases::Experiment;
 using scaling::InvalidInput;
 using scaling::mistake;
 
-constexpr double longest_unasked = 12.0 * 3600.0;  // s: a night
-constexpr double most_grains_unasked = 5e6;        // some 5 GB of grains and contacts
+constexpr double most_grains_unasked = 5e6;  // some 5 GB of grains and contacts
 
 // Feeding until grains fall off needs a count here; says how many the base is likely to carry.
 void refuse_endless(const Experiment& e) {
@@ -54,10 +53,15 @@ rigs::PileSetup counted_setup(const cases::Case& c, const Experiment& e, std::ui
     return rigs::pile_setup(c, e, seed);
 }
 
+double seconds_of(const rigs::PileSetup& setup, int threads) {
+    return static_cast<double>(setup.feed_time.size()) *
+           static_cast<double>(rigs::expected_steps(setup)) / measured_speed(threads);
+}
+
 void refuse_unaffordable(const Experiment& e, const rigs::PileSetup& setup, int threads) {
     const double grains = static_cast<double>(setup.feed_time.size());
     const double steps = static_cast<double>(rigs::expected_steps(setup));
-    const double seconds = grains * steps / measured_speed(threads);
+    const double seconds = seconds_of(setup, threads);
     if (seconds > longest_unasked)
         refuse_cost(
             e,

@@ -13,7 +13,12 @@ namespace app {
 rigs::PileSetup counted_setup(const cases::Case&, const cases::Experiment&, std::uint64_t seed,
                               bool yes);
 
-// Measures this machine's speed. Throws scaling::InvalidInput where the run would take more than 12 hours.
+constexpr double longest_unasked = 12.0 * 3600.0;  // s: a night
+
+// What our core is likely to need, s. Measures this machine's speed.
+double seconds_of(const rigs::PileSetup&, int threads);
+
+// Throws scaling::InvalidInput where the run would take more than 12 hours.
 void refuse_unaffordable(const cases::Experiment&, const rigs::PileSetup&, int threads);
 
 }  // namespace app

@@ -40,7 +40,7 @@ Json sample_json(const verify::PileSample& s) {
     return {{"seed", s.seed},
             {"formed", s.formed},
             {"at_rest", s.at_rest},
-            {"angle_deg", known(s.angle_deg)},
+            {"angle_deg", known(s.angle_deg(rigs::Estimator::two_h_over_d))},
             {"packing_fraction", known(s.packing_fraction)},
             {"coordination", finite(s.coordination)},
             {"grains_on_base", s.grains_on_base},

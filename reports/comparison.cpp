@@ -24,7 +24,7 @@ struct Measured {
 const Measured* measured(const std::string& name) {
     static const std::vector<Measured> all = {
         {"angle_of_repose", "angle of repose, deg",
-         [](const verify::PileSample& s) { return s.angle_deg; }},
+         [](const verify::PileSample& s) { return s.angle_deg(rigs::Estimator::two_h_over_d); }},
         {"packing_fraction", "packing fraction",
          [](const verify::PileSample& s) { return s.packing_fraction; }},
         {"coordination", "contacts per grain",

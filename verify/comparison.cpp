@@ -15,7 +15,9 @@ statistics::Summary summary_of(const std::vector<PileSample>& samples,
                                const std::string& quantity) {
     std::vector<double> values;
     for (const PileSample& sample : samples) {
-        if (quantity == "angle_of_repose" && sample.angle_deg) values.push_back(*sample.angle_deg);
+        if (const auto angle = sample.angle_deg(rigs::Estimator::two_h_over_d);
+            quantity == "angle_of_repose" && angle)
+            values.push_back(*angle);
         if (quantity == "packing_fraction" && sample.packing_fraction)
             values.push_back(*sample.packing_fraction);
         if (quantity == "coordination") values.push_back(sample.coordination);

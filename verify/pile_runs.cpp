@@ -66,12 +66,6 @@ std::uint64_t fnv1a(const std::string& text) {
     return state;
 }
 
-std::optional<double> two_h_over_d(const PileSample& s) {
-    for (std::size_t k = 0; k < s.angles_deg.size(); ++k)
-        if (rigs::computed_estimators[k] == rigs::Estimator::two_h_over_d) return s.angles_deg[k];
-    return std::nullopt;
-}
-
 PileSample sample_of(const rigs::PileEnd& end, const PileJob& job, double seconds) {
     const rigs::PileRecord& record = end.record;
     PileSample sample;
@@ -86,7 +80,6 @@ PileSample sample_of(const rigs::PileEnd& end, const PileJob& job, double second
         if (const auto& angle = record.angles[k].second)
             sample.angles_deg.at(k) = angle->angle / degree;
     }
-    sample.angle_deg = two_h_over_d(sample);
     sample.packing_fraction = record.packing_fraction;
     sample.coordination = record.coordination;
     sample.grains_on_base = static_cast<double>(record.heap.radius.size());
@@ -166,7 +159,6 @@ std::optional<PileSample> remembered(const PileJob& job, const std::filesystem::
         return {};
     for (std::size_t k = 0; k < angles.size(); ++k)
         if (std::isfinite(angles[k])) s.angles_deg[k] = angles[k];
-    s.angle_deg = two_h_over_d(s);
     s.formed = flags[0] != 0.0, s.at_rest = flags[1] != 0.0;
     s.coordination = numbers[0], s.grains_on_base = numbers[1], s.grains_lost = numbers[2];
     s.steps = numbers[3], s.seconds = numbers[4];
@@ -270,6 +262,12 @@ void work(Queue& queue) {
 }
 
 }  // namespace
+
+std::optional<double> PileSample::angle_deg(rigs::Estimator estimator) const {
+    for (std::size_t k = 0; k < angles_deg.size(); ++k)
+        if (rigs::computed_estimators[k] == estimator) return angles_deg[k];
+    return std::nullopt;
+}
 
 std::filesystem::path file_of(const PileJob& job, const std::filesystem::path& folder,
                               const rigs::PileEngine* engine) {

@@ -30,7 +30,6 @@ struct PileSample {
     std::uint64_t seed = 0;
     bool formed = false, at_rest = false;
     std::vector<std::string> missed;  // names of the criteria of a heap that it does not meet
-    std::optional<double> angle_deg;  // two_h_over_d
     // In the order of rigs::computed_estimators.
     std::array<std::optional<double>, rigs::computed_estimators.size()> angles_deg;
     std::optional<double> packing_fraction;
@@ -39,6 +38,9 @@ struct PileSample {
     double slept = 0.0, slept_while_fed = 0.0;  // 1, shares of the grain-steps
     std::vector<double> profile_r, profile_z;   // mean profile, in d
     std::uint64_t hash = 0;                     // of the final state, in the job's units
+
+    // By one of rigs::computed_estimators.
+    std::optional<double> angle_deg(rigs::Estimator) const;
 };
 
 struct Campaign {

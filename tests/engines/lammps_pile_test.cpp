@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engines/lammps_pile.hpp"
 
-#include "cases/read_case.hpp"
 #include "engines/lammps_files.hpp"
 #include "engines/lammps_run.hpp"
 #include "engines/pile_feed.hpp"
@@ -9,6 +8,7 @@
 #include "engines/process.hpp"
 #include "scaling/errors.hpp"
 #include "tests/engines/scratch.hpp"
+#include "tests/engines/small_pile.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -22,23 +22,9 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-// Grains of 1 mm, m g = 1.284e-5 N, E/(rho g d) = 1e4.
 rigs::PileSetup small_setup(const std::string& base, const std::string& physics, int grains) {
-    const Scratch folder("lammps-pile-case");
-    const std::string text =
-        R"({"format": "similitude-case/1", "title": "t",
-  "grain": {"diameter": "1 mm", "density": "2500 kg/m^3", "youngs_modulus": "0.245 MPa", "poisson_ratio": 0.25},
-  "plate": {"youngs_modulus": "0.245 MPa", "poisson_ratio": 0.25}, "surroundings": {"gravity": "9.81 m/s^2"},
-  "model": {"physics": ["gravity", "hertz_mindlin")" +
-        physics +
-        R"(],
-    "parameters": {"restitution": {"value": 0.5}, "sliding_friction": {"value": 0.5},
-      "rolling_friction": {"value": 0.1}, "work_of_adhesion": {"value": "0.02 J/m^2"}}},
-  "experiments": [{"id": "pile", "rig": "pile", "conditions": {"base": ")" +
-        base + R"(", "base_diameter": "8 mm", "grains": )" + std::to_string(grains) + "}}]}";
-    engines::write_text(folder.path / "case.json", text);
-    const cases::Case c = cases::read_case((folder.path / "case.json").string());
-    rigs::PileSetup s = rigs::pile_setup(c, c.experiments.front(), 1);
+    rigs::PileSetup s = small_pile(R"({"youngs_modulus": "0.245 MPa", "poisson_ratio": 0.25})",
+                                   base, physics, grains);
     rigs::take_lammps_rules(s);
     return s;
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "cases/read_case.hpp"
 #include "engines/lammps_run.hpp"
 #include "engines/liggghts_decks.hpp"
 #include "engines/nearest.hpp"
@@ -8,6 +7,7 @@
 #include "engines/yade_decks.hpp"
 #include "scaling/errors.hpp"
 #include "tests/engines/scratch.hpp"
+#include "tests/engines/small_pile.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -24,23 +24,10 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-// Grains of 1 mm, m g = 1.284e-5 N, E/(rho g d) = 1e4; a plate of another material.
+// A plate of another material.
 rigs::PileSetup small_setup(const std::string& base, const std::string& physics, int grains) {
-    const Scratch folder("peer-pile-case");
-    const std::string text =
-        R"({"format": "similitude-case/1", "title": "t",
-  "grain": {"diameter": "1 mm", "density": "2500 kg/m^3", "youngs_modulus": "0.245 MPa", "poisson_ratio": 0.25},
-  "plate": {"youngs_modulus": "0.4 MPa", "poisson_ratio": 0.4}, "surroundings": {"gravity": "9.81 m/s^2"},
-  "model": {"physics": ["gravity", "hertz_mindlin")" +
-        physics +
-        R"(],
-    "parameters": {"restitution": {"value": 0.5}, "sliding_friction": {"value": 0.5},
-      "rolling_friction": {"value": 0.1}, "work_of_adhesion": {"value": "0.02 J/m^2"}}},
-  "experiments": [{"id": "pile", "rig": "pile", "conditions": {"base": ")" +
-        base + R"(", "base_diameter": "8 mm", "grains": )" + std::to_string(grains) + "}}]}";
-    engines::write_text(folder.path / "case.json", text);
-    const cases::Case c = cases::read_case((folder.path / "case.json").string());
-    return rigs::pile_setup(c, c.experiments.front(), 1);
+    return small_pile(R"({"youngs_modulus": "0.4 MPa", "poisson_ratio": 0.4})", base, physics,
+                      grains);
 }
 
 const char* const rolling = R"(, "rolling_resistance")";

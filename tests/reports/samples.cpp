@@ -17,7 +17,7 @@ verify::PileSample cone_sample(std::uint64_t seed, double steepness) {
     s.name = "sample-" + std::to_string(seed);
     s.seed = seed;
     s.formed = s.at_rest = true;
-    s.angle_deg = 30.0 + steepness;
+    s.angles_deg.fill(30.0 + steepness);
     s.packing_fraction = 0.55 + 0.001 * steepness;
     s.coordination = 4.0 + 0.01 * steepness;
     s.grains_on_base = 1400;
