@@ -29,6 +29,8 @@ constexpr const char* examples = R"(Examples:
       --resume it goes on after an interrupt, and no heap that had come to rest is lost
   similitude calibrate my-powder --road paper --out out/paper
       as the paper does it: screening, steepest ascent, 3 x 3, a line
+  similitude calibrate my-powder --at "work_of_adhesion=0.4 J/m^2" sliding_friction=0.8 --seed 101
+      six heaps at a given point: do they form, and what is their angle
   similitude calibrate data/zirconia/case.json --replay --report out/replay.html
       the paper's calibration computed again from its own runs, and what they can carry; exit
       code 3 where a printed number differs or the ranking cannot be concluded)";

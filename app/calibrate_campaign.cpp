@@ -60,6 +60,14 @@ void add_campaign_options(CLI::App& verb, CampaignOptions& campaign) {
         ->type_name("NAME");
     verb.add_flag("--bulk-density", o.bulk_density,
                   "the case's stated bulk density is to be met as well");
+    verb.add_option("--at", o.at,
+                    "take no road: pour --confirm heaps at the case's own values, with these in "
+                    "their place")
+        ->type_name("NAME=VALUE ...")
+        ->expected(1, 100);
+    verb.add_option("--friction-cap", o.friction_cap,
+                    "what friction multiplies, in place of the case's (docs/laws/friction_cap.md)")
+        ->type_name("NAME");
     add_heaps_engine(verb, o.heaps);
     verb.add_flag("--yes", o.yes, "run even where the estimate says more than 12 hours");
     verb.add_option("--out", o.out, "folder for runs.csv and finished heaps")

@@ -11,9 +11,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 namespace app {
@@ -44,18 +46,40 @@ const cases::Experiment& pile_of(const cases::Case& c, const std::string& id) {
                 piles.empty() ? "this case has none" : cases::suggestion(id, piles)));
 }
 
+cases::Case with_cap(cases::Case c, const std::string& name) {
+    if (name.empty()) return c;
+    const std::vector<std::string>& known = cases::friction_caps();
+    if (std::find(known.begin(), known.end(), name) == known.end())
+        throw InvalidInput(mistake("--friction-cap", cases::in_quotes(name),
+                                   "must be one that contact laws have",
+                                   cases::suggestion(name, known)));
+    c.model.friction_cap = name;
+    return c;
+}
+
+// Of the grains that were fed, m: heights are remembered in diameters.
+double mean_diameter(const rigs::PileSetup& s) {
+    return 2.0 * std::accumulate(s.radius.begin(), s.radius.end(), 0.0) /
+           static_cast<double>(s.radius.size());
+}
+
+std::vector<double> times(std::vector<double> list, double factor) {
+    for (double& x : list) x *= factor;
+    return list;
+}
+
 // One calibration: what it is made of, and the runs so far.
 class Campaign {
   public:
     Campaign(const cases::Case& c, const RoadOptions& o, const CalibrationWatch& watch)
         : options_(o),
-          case_(c),
-          pile_(pile_of(c, o.experiment)),
+          case_(with_cap(c, o.friction_cap)),
+          pile_(pile_of(case_, o.experiment)),
           choice_(choice_of(o.heaps)),
           remembered_(o.out.empty() ? o.out : o.out / "similitude-heaps"),
           engine_(engine_of(choice_, remembered_)),
           watch_(watch) {
-        result_.pile = calibrate::pile_problem(c, pile_, {o.estimator, o.bulk_density}, o.seed);
+        result_.pile = calibrate::pile_problem(case_, pile_, {o.estimator, o.bulk_density}, o.seed);
         calibrate::check(result_.pile.problem);
         refuse_cost();
         if (!o.resume && !remembered_.empty()) std::filesystem::remove_all(remembered_);
@@ -67,17 +91,23 @@ class Campaign {
             for (Run& run : poured(asked)) result_.history.push_back(std::move(run));
             write_runs();
         }
+        std::string missed;
         for (const auto& [criterion, heaps] : missed_)
-            result_.pile.notes.push_back(fmt::format("{} of {} heaps fail at: {}", heaps,
-                                                     result_.history.size(),
-                                                     reports::words(criterion)));
+            missed += fmt::format("{}{} ({})", missed.empty() ? "" : ", ",
+                                  reports::words(criterion), heaps);
+        if (!missed.empty())
+            result_.pile.notes.push_back(
+                fmt::format("of {} heaps so many fail at a criterion, some at several: {}",
+                            result_.history.size(), missed));
         return std::move(result_);
     }
 
   private:
+    bool given() const { return !options_.at.empty(); }
     bool paper() const { return options_.road == "paper"; }
     calibrate::PaperOptions paper_options() const { return {.confirmations = options_.confirm}; }
     int most_runs() const {
+        if (given()) return options_.confirm;
         return paper() ? calibrate::most_runs(result_.pile.problem, paper_options())
                        : options_.budget + options_.confirm;
     }
@@ -85,6 +115,14 @@ class Campaign {
     // What the road wants next; nothing once it has its answer.
     std::vector<Request> next() {
         const calibrate::Problem& p = result_.pile.problem;
+        if (given()) {
+            result_.given = calibrate::stated_point(case_, p, options_.at);
+            std::vector<Request> all;
+            for (int k = 0; result_.history.empty() && k < options_.confirm; ++k)
+                all.push_back(
+                    {*result_.given, p.seed + static_cast<std::uint64_t>(k), "confirming"});
+            return all;
+        }
         if (paper()) {
             calibrate::PaperStep step = calibrate::next(p, paper_options(), result_.history);
             result_.paper = step.result;
@@ -139,15 +177,18 @@ class Campaign {
                             .setup = setup_of(r)});
         asked_ = static_cast<double>(jobs.size());
         std::vector<Run> runs;
-        const double density = case_.grain.density.value.value();
+        const double density = pile_.grain.density.value.value();
         for (const verify::PileSample& s : verify::run_piles(jobs, side_by_side())) {
             for (const std::string& criterion : s.missed) ++missed_[criterion];
+            const double d = mean_diameter(jobs[runs.size()].setup);
             runs.push_back(
                 {asked[runs.size()], calibrate::values_of(result_.pile,
                                                           {.formed = s.formed,
                                                            .at_rest = s.at_rest,
                                                            .angles = s.angles_deg,
-                                                           .packing_fraction = s.packing_fraction},
+                                                           .packing_fraction = s.packing_fraction,
+                                                           .profile_r = times(s.profile_r, d),
+                                                           .profile_z = times(s.profile_z, d)},
                                                           density)});
         }
         return runs;
@@ -175,7 +216,7 @@ class Campaign {
     }
 
     const RoadOptions& options_;
-    const cases::Case& case_;
+    const cases::Case case_;
     const cases::Experiment& pile_;
     EngineChoice choice_;
     std::filesystem::path remembered_;

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace app {
 
@@ -21,7 +22,9 @@ struct RoadOptions {
     int budget = 34;  // heaps of the surrogate's road; the paper's road pours those that it has
     int batch =
         2;  // of these are decided on together; not the number of threads: that changes no result
-    int confirm = 6;  // heaps of fresh seeds at the answer, on top
+    int confirm = 6;                // heaps of fresh seeds at the answer, on top
+    std::vector<std::string> at{};  // NAME=VALUE: no road, heaps at this point
+    std::string friction_cap{};     // in place of the model's; empty: the model's
     HeapsEngine heaps{};
     std::uint64_t seed = 1;
     int threads = 1;              // heaps at a time

@@ -157,6 +157,8 @@ reports::EdemInput input_of(const cases::Case& c, const Options& o) {
         if (name != "gravity" && name != "hertz_mindlin" && name != "adhesion" &&
             name != "wall_adhesion" && name != "rolling_resistance" && name != "wall_friction")
             in.left_out.push_back(name);
+    if (!c.model.friction_cap.empty() && c.model.friction_cap != "repulsive_part")
+        in.left_out.push_back("friction_cap " + c.model.friction_cap);
     if (!c.grain.sizes.empty()) in.left_out.push_back("sizes by number (one diameter is written)");
     return in;
 }

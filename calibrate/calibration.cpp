@@ -21,6 +21,7 @@ std::vector<double> values(const std::vector<Run>& runs, std::size_t target) {
 
 std::optional<Eigen::VectorXd> Calibration::answer() const {
     if (surrogate) return surrogate->answer;
+    if (given) return given;
     return paper ? paper->answer : std::nullopt;
 }
 

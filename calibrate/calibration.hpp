@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A calibration against heaps that has ended: the runs, the road's answer, and what its confirming heaps say.
+// A calibration against heaps that has ended: the runs, the road's answer or the point that was given in its place, and what its confirming heaps say.
 #pragma once
 
 #include "calibrate/paper_road.hpp"
@@ -16,7 +16,8 @@ struct Calibration {
     PileProblem pile;
     std::vector<Run> history;  // of the road
     std::optional<PaperResult> paper;
-    std::optional<SurrogateResult> surrogate;  // one of the two
+    std::optional<SurrogateResult> surrogate;
+    std::optional<Eigen::VectorXd> given;  // [factors]; no road: one of the three
 
     std::vector<Run> confirming() const;            // at the answer, with fresh seeds
     std::optional<Eigen::VectorXd> answer() const;  // [factors]; nothing where no heap formed

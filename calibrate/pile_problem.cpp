@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "calibrate/pile_problem.hpp"
 
+#include "cases/effects.hpp"
 #include "cases/messages.hpp"
 #include "scaling/errors.hpp"
 #include "statistics/intervals.hpp"
@@ -46,9 +47,10 @@ std::vector<double> recorded_angles(const cases::Case& c, const cases::Experimen
                                     std::string& name) {
     const std::string where = c.path + ": experiments " + cases::in_quotes(e.id) + ".recording";
     if (!e.recording || !e.recording->has("angle_of_repose"))
-        throw InvalidInput(mistake(where, e.recording ? "no angle of repose" : "nothing",
-                                   "must hold angle_of_repose to calibrate against",
-                                   "photo and measure read it off pictures and grains"));
+        throw InvalidInput(
+            mistake(where, e.recording ? "neither angle nor profile" : "nothing",
+                    "must hold angle_of_repose, or azimuth, r and z, to calibrate against",
+                    "photo and measure read it off pictures and grains"));
     const std::vector<double>& all = e.recording->values("angle_of_repose");
     std::vector<double> angles;
     std::vector<std::string> known;
@@ -86,17 +88,10 @@ Target bulk_density(const cases::Case& c, bool asked) {
             density_trusted_to * stated};
 }
 
-}  // namespace
-
-PileProblem pile_problem(const cases::Case& c, const cases::Experiment& e, const PileOptions& o,
-                         std::uint64_t seed) {
-    PileProblem p{};
-    p.experiment = e.id;
-    p.problem.seed = seed;
-    p.problem.factors = free_parameters(c);
-    std::string name = o.estimator;
+void take_angle(PileProblem& p, const cases::Case& c, const cases::Experiment& e,
+                std::string name) {
     p.angles = recorded_angles(c, e, name);
-    p.estimator = *rigs::estimator_named(name);
+    p.estimator = rigs::estimator_named(name);
     if (p.estimator == Estimator::protractor) {
         p.estimator = Estimator::silhouette;
         p.notes.emplace_back(
@@ -105,6 +100,29 @@ PileProblem pile_problem(const cases::Case& c, const cases::Experiment& e, const
     double mean = 0.0;
     for (const double angle : p.angles) mean += angle / static_cast<double>(p.angles.size());
     p.problem.targets = {{"angle_of_repose", "deg", mean, deviation_of_mean(c, e, p.angles)}};
+}
+
+std::optional<double> angle_of(const HeapSeen& heap, Estimator estimator) {
+    const auto& all = rigs::computed_estimators;
+    const auto at = std::find(all.begin(), all.end(), estimator) - all.begin();
+    return heap.angles[static_cast<std::size_t>(at)];
+}
+
+}  // namespace
+
+PileProblem pile_problem(const cases::Case& c, const cases::Experiment& e, const PileOptions& o,
+                         std::uint64_t seed) {
+    PileProblem p{};
+    p.experiment = e.id;
+    p.problem.seed = seed;
+    p.problem.factors = free_parameters(c);
+    p.rings = ring_heights(c, e);
+    if (p.rings.empty() || e.recording->has("angle_of_repose")) take_angle(p, c, e, o.estimator);
+    for (const RingHeight& ring : p.rings) p.problem.targets.push_back(ring.target);
+    if (p.problem.targets.size() > 1)
+        p.notes.emplace_back(
+            "angle and heights of one heap count as independent of one another: intervals are "
+            "narrower than the recording warrants");
     if (o.bulk_density && !c.stated.bulk_density)
         throw InvalidInput(mistake(c.path + ": stated.bulk_density", "nothing",
                                    "must be given to calibrate against it",
@@ -126,17 +144,48 @@ cases::Case at_point(const cases::Case& c, const Problem& p, const Eigen::Vector
     return there;
 }
 
+Eigen::VectorXd stated_point(const cases::Case& c, const Problem& p,
+                             const std::vector<std::string>& instead) {
+    Eigen::VectorXd point(static_cast<Eigen::Index>(p.factors.size()));
+    std::vector<std::string> names;
+    for (const Factor& f : p.factors) {
+        point[static_cast<Eigen::Index>(names.size())] = c.model.parameters.at(f.name).value;
+        names.push_back(f.name);
+    }
+    for (const std::string& text : instead) {
+        const std::size_t equals = text.find('=');
+        const std::string name = text.substr(0, equals);
+        const auto found = std::find(names.begin(), names.end(), name);
+        if (equals == std::string::npos || found == names.end())
+            throw InvalidInput(mistake("--at", cases::in_quotes(text),
+                                       "must be NAME=VALUE of a parameter with a range",
+                                       cases::suggestion(name, names)));
+        const Factor& f = p.factors[static_cast<std::size_t>(found - names.begin())];
+        const cases::Value value{.where = "--at " + name,
+                                 .kind = cases::Value::Kind::text,
+                                 .written_text = text.substr(equals + 1)};
+        const auto rule =
+            std::find_if(cases::parameter_rules().begin(), cases::parameter_rules().end(),
+                         [&](const auto& r) { return r.name == name; });
+        point[found - names.begin()] = cases::checked(value, f.unit, rule->domain);
+    }
+    return point;
+}
+
 std::optional<std::vector<double>> values_of(const PileProblem& p, const HeapSeen& heap,
                                              double density) {
-    const auto* at =
-        std::find(rigs::computed_estimators.begin(), rigs::computed_estimators.end(), p.estimator);
-    const auto& angle =
-        heap.angles[static_cast<std::size_t>(at - rigs::computed_estimators.begin())];
-    if (!heap.formed || !heap.at_rest || !angle) return std::nullopt;
-    std::vector<double> values{*angle};
-    if (p.problem.targets.size() > 1) {
-        if (!heap.packing_fraction) return std::nullopt;
-        values.push_back(*heap.packing_fraction * density);
+    if (!heap.formed || !heap.at_rest) return std::nullopt;
+    std::vector<std::optional<double>> seen;
+    if (p.estimator) seen.push_back(angle_of(heap, *p.estimator));
+    for (const RingHeight& ring : p.rings)
+        seen.push_back(height_in(ring, heap.profile_r, heap.profile_z));
+    if (p.problem.targets.size() > seen.size())
+        seen.push_back(heap.packing_fraction ? std::optional(*heap.packing_fraction * density)
+                                             : std::nullopt);
+    std::vector<double> values;
+    for (const std::optional<double>& value : seen) {
+        if (!value) return std::nullopt;
+        values.push_back(*value);
     }
     return values;
 }

@@ -74,9 +74,13 @@ Ranking judged_ranking(const std::vector<std::string>& claimed,
     if (!r.structural) {
         r.why = fmt::format("{} cannot be told apart, since {}", fmt::join(tangled, ", "),
                             null_vectors.front().text);
-        if (!r.other.empty())
+        std::vector<std::string> orders;
+        for (const std::string& order : r.other)
+            if (std::find(orders.begin(), orders.end(), order) == orders.end())
+                orders.push_back(order);
+        if (!orders.empty())
             r.why += fmt::format(": fits with the same residuals order the effects {}",
-                                 fmt::join(r.other, "; or "));
+                                 fmt::join(orders, "; or "));
         return r;
     }
     const std::string weak = fits.empty() || r.t_needed == 0.0

@@ -62,7 +62,7 @@ void add_numerics(std::vector<Observation>& all, const Published& p,
         {"numerics", "implied_grain_steps_per_second", speed, "1/s", where, Judgement::caution,
          fmt::format("{:.3g} steps of up to {:.3g} grains in the wall time stated are up "
                      "to {:.3g} grain steps per second (half of it, where the heap is fed "
-                     "at a steady rate); `similitude scale` says what your machine does",
+                     "at a steady rate); similitude scale says what your machine does",
                      steps, grains, speed)});
 }
 

@@ -60,11 +60,15 @@ struct Numerics {  // how the user's run was made
     double youngs_modulus_factor = 1.0;  // softened / real
 };
 
+// The forces that friction may multiply, as contact/friction_cap.hpp names them.
+const std::vector<std::string>& friction_caps();
+
 struct Model {
     std::vector<std::string> physics;             // as written
     std::map<std::string, Parameter> parameters;  // as written, no defaults filled in
     std::vector<MaterialPair> pairs;              // for bulk rigs, where these say otherwise
     Numerics numerics;
+    std::string friction_cap;  // of the rig `pile`, a name of friction_caps(); empty: the rig's own
 
     bool includes(const std::string& effect) const;
     const Parameter* find(const std::string& name) const;  // nullptr where not given

@@ -80,6 +80,10 @@ Case read_case(const std::string& path, HeldOut held_out) {
         if (read.find(experiment.id) != nullptr)
             refuse(entry.at("id"), "must not be used twice", "rename one");
         if (!experiment.held_out || held_out == HeldOut::opened) read_recordings(experiment);
+        if (!read.model.friction_cap.empty() && experiment.rig != "pile")
+            refuse(root.at("model").at("friction_cap"),
+                   "must not stand in a case with the rig " + experiment.rig,
+                   "only piles know it: give them a case of their own");
         read.experiments.push_back(std::move(experiment));
     }
     return read;

@@ -117,11 +117,13 @@ std::vector<std::string> read_kept(const Value& list) {
 
 Model read_model(const Value& object, const std::string& known_elsewhere,
                  const MaterialNames& names) {
-    check_keys(object, {"physics", "parameters", "numerics", "pairs"});
+    check_keys(object, {"physics", "parameters", "numerics", "pairs", "friction_cap"});
     Model model;
     read_physics(object.at("physics"), model);
     if (object.has("parameters")) read_parameters(object.at("parameters"), model);
     if (object.has("numerics")) model.numerics = read_numerics(object.at("numerics"));
+    if (object.has("friction_cap"))
+        model.friction_cap = checked_word(object.at("friction_cap"), friction_caps());
     if (object.has("pairs")) model.pairs = read_pairs(object.at("pairs"), names, model.physics);
     for (const Effect& effect : effects()) {
         if (!model.includes(effect.name)) continue;
@@ -212,6 +214,12 @@ Stated read_stated(const Value& object, scaling::Density grain_density) {
             scaling::Heap{*base, angle->value(), (*result.bulk_density / grain_density).value()};
     }
     return result;
+}
+
+const std::vector<std::string>& friction_caps() {
+    static const std::vector<std::string> names = {
+        "elastic_plus_two_pull_off", "total_plus_two_pull_off", "repulsive_part", "elastic"};
+    return names;
 }
 
 bool Model::includes(const std::string& effect) const {

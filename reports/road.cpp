@@ -31,17 +31,33 @@ std::string between(const Factor& f, const statistics::Interval& i) {
     return fmt::format("{} to {}", of_factor(f, i.low), of_factor(f, i.high));
 }
 
-// 95 % of a uniform prior is 0.95 of its range: an interval that is hardly narrower says nothing.
+// 95 % of a uniform prior is 0.95 of its range: what is left to wander over half of it is not fixed.
 bool fixed(const Factor& f, const statistics::Interval& i) {
-    return calibrate::share_of_range(f, i.high) - calibrate::share_of_range(f, i.low) < 0.9;
+    return calibrate::share_of_range(f, i.high) - calibrate::share_of_range(f, i.low) < 0.5;
+}
+
+std::vector<std::string> not_fixed(const Calibration& c) {
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k < c.surrogate->free.size(); ++k)
+        if (const Factor& f = c.pile.problem.factors[k]; !fixed(f, c.surrogate->free[k]))
+            names.push_back(words(f.name));
+    return names;
+}
+
+std::string place(const Calibration& c) { return c.given ? "the given point" : "the answer"; }
+
+// Names in a sentence.
+std::string spaced(std::string sentence) {
+    std::replace(sentence.begin(), sentence.end(), '_', ' ');
+    return sentence;
 }
 
 TextTable factor_table(const Calibration& c) {
     const std::vector<Factor>& factors = c.pile.problem.factors;
-    TextTable table{{"parameter", "range", "answer"}};
+    TextTable table{{"parameter", "range", c.given ? "given" : "answer"}};
     if (c.surrogate)
         table[0].insert(table[0].end(), {"95 %, others free", "95 %, others as in the answer"});
-    else
+    else if (!c.given)
         table[0].emplace_back("effect in the screening");
     for (std::size_t k = 0; k < factors.size(); ++k) {
         const Factor& f = factors[k];
@@ -53,6 +69,7 @@ TextTable factor_table(const Calibration& c) {
             table.back().push_back(between(f, c.surrogate->held[k]));
             continue;
         }
+        if (c.given) continue;
         std::string effect = "none";
         for (const calibrate::PaperEffect& e :
              c.paper ? c.paper->ranking : std::vector<calibrate::PaperEffect>{})
@@ -92,13 +109,16 @@ TextTable target_table(const Calibration& c) {
     return table;
 }
 
+Answer parameters_known(const Calibration& c) {
+    return c.surrogate && not_fixed(c).empty() ? Answer::yes : Answer::cannot_tell;
+}
+
 std::string fixed_words(const Calibration& c) {
+    if (c.given) return "As given";
     if (!c.surrogate) return "One value each, without an interval";
-    std::size_t count = 0;
-    for (std::size_t k = 0; k < c.surrogate->free.size(); ++k)
-        count += fixed(c.pile.problem.factors[k], c.surrogate->free[k]);
-    return fmt::format("{} of {} are fixed while the others are free", count,
-                       c.surrogate->free.size());
+    const std::size_t all = c.surrogate->free.size();
+    return fmt::format("{} of {} are known to half of their range while the others are free",
+                       all - not_fixed(c).size(), all);
 }
 
 std::size_t formed(const std::vector<Run>& runs) {
@@ -108,25 +128,25 @@ std::size_t formed(const std::vector<Run>& runs) {
 
 std::vector<std::string> notes_of(const Calibration& c) {
     std::vector<std::string> notes{fmt::format(
-        "{} heaps poured, {} formed; of these {} of {} at the answer with fresh seeds",
-        c.history.size(), formed(c.history), formed(c.confirming()), c.confirming().size())};
+        "{} heaps poured, {} formed; of these {} of {} at {} with fresh seeds", c.history.size(),
+        formed(c.history), formed(c.confirming()), c.confirming().size(), place(c))};
     notes.insert(notes.end(), c.pile.notes.begin(), c.pile.notes.end());
     const std::vector<std::string>& of_road = c.surrogate ? c.surrogate->notes
                                               : c.paper   ? c.paper->notes
                                                           : c.pile.notes;
     if (c.surrogate || c.paper) notes.insert(notes.end(), of_road.begin(), of_road.end());
     if (!c.surrogate) return notes;
-    for (std::size_t k = 0; k < c.surrogate->free.size(); ++k)
-        if (const Factor& f = c.pile.problem.factors[k]; !fixed(f, c.surrogate->free[k]))
-            notes.push_back("not fixed by these recordings while the others are free: " +
-                            words(f.name));
+    if (const std::vector<std::string> open = not_fixed(c); !open.empty())
+        notes.push_back(
+            fmt::format("not known to half of their range while the others are free: {}",
+                        fmt::join(open, ", ")));
     for (const std::string& name : c.surrogate->dead)
         notes.push_back("moves no target by as much as its measurement is uncertain: " +
                         words(name));
     for (const calibrate::Trade& trade : c.surrogate->identification.trades)
-        notes.push_back("a trade that leaves the targets where they are: " + trade.words);
+        notes.push_back("a trade that leaves the targets where they are: " + spaced(trade.words));
     for (const calibrate::Offer& offer : c.surrogate->identification.offers)
-        notes.push_back("a further measurement: " + offer.words);
+        notes.push_back("a further measurement: " + spaced(offer.words));
     return notes;
 }
 
@@ -200,16 +220,19 @@ Json to_json(const Calibration& c, const Provenance& who) {
             {"agrees", there->agrees}};
     }
     const auto answer = c.answer();
-    Json json{{"format", "similitude-calibration/1"},
-              {"tool", to_json(who)},
-              {"experiment", c.pile.experiment},
-              {"estimator", rigs::to_string(c.pile.estimator)},
-              {"road", c.paper ? "paper" : "surrogate"},
-              {"factors", factors},
-              {"targets", targets},
-              {"answer",
-               answer ? Json(std::vector<double>(answer->begin(), answer->end())) : Json(nullptr)},
-              {"holds", calibrate::holds(c)}};
+    Json json{
+        {"format", "similitude-calibration/1"},
+        {"tool", to_json(who)},
+        {"experiment", c.pile.experiment},
+        {"estimator", c.pile.estimator ? Json(rigs::to_string(*c.pile.estimator)) : Json(nullptr)},
+        {"road", c.given   ? "none"
+                 : c.paper ? "paper"
+                           : "surrogate"},
+        {"factors", factors},
+        {"targets", targets},
+        {"answer",
+         answer ? Json(std::vector<double>(answer->begin(), answer->end())) : Json(nullptr)},
+        {"holds", calibrate::holds(c)}};
     if (c.surrogate) json["surrogate"] = json_of(*c.surrogate);
     if (c.paper) json["paper"] = json_of(*c.paper);
     json["notes"] = c.pile.notes;
@@ -229,8 +252,8 @@ Verdict verdict_of(const Calibration& c) {
         why += fmt::format(
             "{}{}: measured {} +- {} {}, {}", why.empty() ? "" : "; ", words(targets[k].name),
             number(*targets[k].value), number(targets[k].standard_deviation), targets[k].unit,
-            there ? fmt::format("{} of {} fresh heaps formed at the answer and have {}",
-                                there->heaps, c.confirming().size(), number(there->mean))
+            there ? fmt::format("{} of {} fresh heaps formed at {} and have {}", there->heaps,
+                                c.confirming().size(), place(c), number(there->mean))
                   : "no fresh heap formed");
     }
     return calibrate::holds(c) ? Verdict{Answer::yes, "Fresh heaps meet what was measured", why}
@@ -254,7 +277,7 @@ Page page_of(const cases::Case& given, const Calibration& c, const Provenance& w
     RunSection result{"What was met", page.verdict, notes_of(c), {}, target_table(c), {}};
     result.figure = confirmation_figure(c);
     RunSection parameters{"What the parameters are",
-                          {page.verdict.answer, fixed_words(c), ""},
+                          {parameters_known(c), fixed_words(c), ""},
                           {},
                           range_figure(c),
                           factor_table(c),

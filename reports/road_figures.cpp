@@ -22,7 +22,15 @@ using calibrate::Target;
 constexpr double of_95 = 1.96;  // standard deviations of a normal
 
 std::string label_of(const Factor& f) {
-    return f.unit == "1" ? words(f.name) : fmt::format("{}, {}", words(f.name), f.unit);
+    const std::string label =
+        f.unit == "1" ? words(f.name) : fmt::format("{}, {}", words(f.name), f.unit);
+    return f.logarithmic ? "decimal logarithm of " + label : label;
+}
+
+std::vector<double> along(const Factor& f, std::vector<double> values) {
+    if (f.logarithmic)
+        for (double& v : values) v = std::log10(v);
+    return values;
 }
 
 double moved(const Slice& s) {
@@ -33,12 +41,14 @@ double moved(const Slice& s) {
 Figure response_figure(const Calibration& c, std::size_t target, std::size_t factor,
                        const Slice& s) {
     const Target& t = c.pile.problem.targets[target];
+    const Factor& f = c.pile.problem.factors[factor];
+    const std::vector<double> at = along(f, s.at);
     Plot plot;
-    plot.title = words(t.name) + " against " + words(c.pile.problem.factors[factor].name);
-    plot.x = {.label = label_of(c.pile.problem.factors[factor])};
+    plot.title = words(t.name) + " against " + words(f.name);
+    plot.x = {.label = label_of(f)};
     plot.y = {.label = fmt::format("{}, {}", words(t.name), t.unit)};
-    plot.bands.push_back({s.at, s.low, s.high, 0, ""});
-    plot.curves.push_back({s.at, s.mean, 0, "surrogate, others as in the answer"});
+    plot.bands.push_back({at, s.low, s.high, 0, ""});
+    plot.curves.push_back({at, s.mean, 0, "surrogate, others as in the answer"});
     Curve heaps{{}, {}, 1, "runs, others anywhere", true}, none{{}, {}, 3, "no heap formed", true};
     double lowest = *std::min_element(s.low.begin(), s.low.end());
     double highest = *std::max_element(s.high.begin(), s.high.end());
@@ -50,14 +60,14 @@ Figure response_figure(const Calibration& c, std::size_t target, std::size_t fac
     const double edge = lowest - 0.06 * (highest - lowest);
     for (const Run& run : c.history) {
         Curve& there = run.values ? heaps : none;
-        there.x.push_back(run.request.point[static_cast<Eigen::Index>(factor)]);
+        there.x.push_back(along(f, {run.request.point[static_cast<Eigen::Index>(factor)]}).front());
         there.y.push_back(run.values ? (*run.values)[target] : edge);
     }
     plot.curves.push_back(std::move(heaps));
     if (!none.x.empty()) plot.curves.push_back(std::move(none));
     if (t.value) {
         const double wide = of_95 * t.standard_deviation;
-        const std::vector<double> ends{s.at.front(), s.at.back()};
+        const std::vector<double> ends{at.front(), at.back()};
         plot.bands.push_back({ends,
                               {*t.value - wide, *t.value - wide},
                               {*t.value + wide, *t.value + wide},
@@ -117,7 +127,7 @@ Figure range_figure(const Calibration& c) {
 std::vector<Figure> response_figures(const Calibration& c, std::size_t target) {
     constexpr std::size_t most = 3;
     constexpr int points = 41;
-    if (!c.pile.problem.targets[target].value) return {};
+    if (c.given || !c.pile.problem.targets[target].value) return {};
     std::vector<std::pair<double, std::size_t>> order;
     std::vector<Slice> slices;
     for (std::size_t k = 0; k < c.pile.problem.factors.size(); ++k) {

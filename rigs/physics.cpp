@@ -4,6 +4,7 @@
 #include "scaling/errors.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace rigs {
 namespace {
@@ -21,6 +22,7 @@ dem_min::Laws laws(const ContactParameters& c) {
         result.normal = contact::Jkr{c.e_star, c.work_of_adhesion};
         result.twisting = {c.g_star, c.sliding_friction};
     }
+    result.friction_cap = c.friction_cap;
     if (c.rigid_tangential) result.tangential = contact::Coulomb{c.sliding_friction};
     if (c.rolling_friction > 0.0)
         result.rolling = contact::RollingEpsd{c.rolling_friction, rolling_damping_ratio};
@@ -33,6 +35,16 @@ dem_min::Laws laws(const ContactParameters& c) {
         result.rolling = contact::RollingSds{c.as_lammps->rolling_stiffness,
                                              c.as_lammps->rolling_damping, c.rolling_friction};
     return result;
+}
+
+contact::FrictionCap friction_cap(const std::string& name) {
+    using enum contact::FrictionCap;
+    const std::vector<std::string>& names = cases::friction_caps();
+    constexpr std::array caps{elastic_plus_two_pull_off, total_plus_two_pull_off, repulsive_part,
+                              elastic};
+    for (std::size_t k = 0; k < caps.size(); ++k)
+        if (names.at(k) == name) return caps[k];
+    return elastic_plus_two_pull_off;
 }
 
 contact::Material grain_material(const cases::Experiment& e) {

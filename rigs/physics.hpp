@@ -23,6 +23,7 @@ struct ContactParameters {
     double work_of_adhesion;  // J/m^2; 0: Hertz
     double sliding_friction, rolling_friction, restitution;
     bool rigid_tangential = false;  // hertz_coulomb: no micro-slip
+    contact::FrictionCap friction_cap = contact::FrictionCap::elastic_plus_two_pull_off;
     // Where it is there, the rules are those that LAMMPS has as well: SDS in place of EPSD, JKR torn off at the deepest tension,
     // without adhesion friction of the whole normal force, dashpot included.
     std::optional<LammpsRules> as_lammps = std::nullopt;
@@ -31,6 +32,9 @@ struct ContactParameters {
 // Hertz or JKR, Mindlin or Coulomb, EPSD or no rolling resistance, Tsuji's dashpots; with adhesion also twisting resistance,
 // without which a sticky branch that hangs on one contact swings about its normal for ever.
 dem_min::Laws laws(const ContactParameters&);
+
+// By a name of cases::friction_caps(); elastic_plus_two_pull_off where it is empty.
+contact::FrictionCap friction_cap(const std::string& name);
 
 contact::Material grain_material(const cases::Experiment&);
 contact::Material plate_material(const cases::Experiment&);  // the density takes no part

@@ -137,6 +137,7 @@ PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment,
     s.walls.rolling_friction = rolling ? model.wall_value_or("rolling_friction", 0.0) : 0.0;
     s.walls.restitution = model.wall_value_or("restitution", 1.0);
     s.grains.rigid_tangential = s.walls.rigid_tangential = rigid;
+    s.grains.friction_cap = s.walls.friction_cap = friction_cap(model.friction_cap);
     choose_feed(s, experiment.grain, seed);
     choose_materials(s, c, experiment);
     choose_steps(s);
@@ -193,6 +194,10 @@ void choose_steps(PileSetup& s) {
 }
 
 void take_lammps_rules(PileSetup& s) {
+    if (s.grains.friction_cap != contact::FrictionCap::elastic_plus_two_pull_off)
+        throw scaling::InvalidInput(scaling::mistake(
+            "model.friction_cap", "another than elastic_plus_two_pull_off",
+            "must be that, or left out, under LAMMPS' rules", "or take --contact own"));
     const double mass = s.density * (std::numbers::pi / 6.0) * (s.d * s.d * s.d);
     double w = std::max(s.grains.work_of_adhesion, s.walls.work_of_adhesion);
     for (const PairParameters& pair : s.materials.pairs)

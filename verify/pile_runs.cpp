@@ -34,6 +34,8 @@ std::string described(const rigs::PileSetup& s) {
                                    p.rolling_friction, p.restitution})
             add(value);
         text += p.rigid_tangential ? " rigid" : " elastic";
+        if (p.friction_cap != contact::FrictionCap::elastic_plus_two_pull_off)
+            text += fmt::format(" cap {}", static_cast<int>(p.friction_cap));
         if (p.as_lammps) {
             text += " sds";
             add(p.as_lammps->rolling_stiffness), add(p.as_lammps->rolling_damping);

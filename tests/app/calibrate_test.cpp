@@ -103,6 +103,83 @@ TEST_CASE("calibrate: the paper's road ends with a ranking and a page", "[app][c
     CHECK_THAT(contents(f / "page.html"), Contains("effect in the screening"));
 }
 
+// The bulk density that these heaps are told to have is what glass beads of that density have, 0.6 of it, to 5 %.
+TEST_CASE("calibrate --bulk-density: the density is a target that fresh heaps have to meet",
+          "[app][calibrate]") {
+    const Folder f;
+    const std::string text = contents(small_calibration(f));
+    const auto with_density = [&](const std::string& density) {
+        const std::string stated = ",\n  \"stated\": {\"bulk_density\": \"" + density + "\"}\n}\n";
+        const std::string path = f.write("dense.json", text.substr(0, text.rfind('}')) + stated);
+        return similitude({"calibrate", path, "--bulk-density", "--budget", "6", "--confirm", "2",
+                           "--quiet", "--json", "-", "--out", f / "out"});
+    };
+    const Outcome met = with_density("720 kg/m^3");
+    INFO(met.err);
+    REQUIRE((met.code == 0 || met.code == 3));
+    const auto target = met.json()["targets"][1];
+    CHECK(target["name"] == "bulk_density");
+    CHECK(target["measured"] == Approx(720.0));
+    CHECK(target["standard_deviation"] == Approx(36.0));
+    CHECK(target["confirmed"]["heaps"] == 2);
+    const Outcome missed = with_density("300 kg/m^3");  // no bed of spheres is that loose
+    CHECK(missed.code == 3);
+    CHECK(missed.json()["targets"][1]["confirmed"]["agrees"] == false);
+}
+
+TEST_CASE("calibrate: a recorded profile is met by the powder that it was recorded of",
+          "[app][calibrate]") {
+    const Folder f;
+    const std::string path = small_calibration(f);
+    const Outcome powder =
+        similitude({"simulate", path, "--seed", "77", "--out", f / "powder", "--quiet"});
+    INFO(powder.err);
+    REQUIRE(powder.code == 0);
+    f.write("angles.csv", contents(f / "powder/heap.csv"));
+    const Outcome o = similitude({"calibrate", path, "--budget", "8", "--confirm", "2", "--quiet",
+                                  "--json", "-", "--out", f / "out", "--report", f / "p.html"});
+    INFO(o.err);
+    REQUIRE((o.code == 0 || o.code == 3));
+    const auto json = o.json();
+    CHECK(json["estimator"].is_null());
+    REQUIRE(json["targets"].size() == 3);
+    CHECK(json["targets"][0]["name"] == "height_near_axis");
+    for (const auto& target : json["targets"]) {
+        // Heaps of 500 grains differ by about a grain from seed to seed: 4 mm.
+        CHECK(target["confirmed"]["mean"].get<double>() ==
+              Approx(target["measured"].get<double>()).margin(4e-3));
+    }
+    CHECK_THAT(contents(f / "p.html"), Contains("height near axis"));
+}
+
+TEST_CASE("calibrate --at: heaps at a given point, with another friction cap or none",
+          "[app][calibrate]") {
+    const Folder f;
+    const std::string path = small_calibration(f);
+    const auto at = [&](std::vector<std::string> more) {
+        std::vector<std::string> all{"calibrate", path,     "--at",   "sliding_friction=0.4",
+                                     "--confirm", "2",      "--seed", "5",
+                                     "--quiet",   "--json", "-",      "--out",
+                                     f / "out"};
+        all.insert(all.end(), more.begin(), more.end());
+        return similitude(all);
+    };
+    const Outcome o = at({"--report", f / "page.html"});
+    INFO(o.err);
+    REQUIRE((o.code == 0 || o.code == 3));
+    const auto json = o.json();
+    CHECK(json["road"] == "none");
+    CHECK(json["runs"].size() == 2);
+    CHECK(json["runs"][1]["seed"] == 6);
+    CHECK(json["answer"] == nlohmann::ordered_json{0.2, 0.4});
+    CHECK_THAT(contents(f / "page.html"), Contains("the given point"));
+    const Outcome capped = at({"--friction-cap", "total_plus_two_pull_off"});
+    CHECK(capped.json()["runs"][0]["values"] != json["runs"][0]["values"]);
+    const Outcome wrong = at({"--friction-cap", "repulsive"});
+    CHECK(wrong.code == 2);
+    CHECK_THAT(wrong.err, Contains("repulsive_part"));
+}
+
 TEST_CASE("calibrate: what is missing is asked for", "[app][calibrate][input]") {
     const Folder f;
     const std::string small = small_calibration(f);

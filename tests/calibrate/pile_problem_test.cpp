@@ -77,6 +77,25 @@ TEST_CASE("pile problem: no heap, no rest or an angle that cannot be read is a r
     CHECK(without([](HeapSeen& h) { h.angles[0].reset(); }));
 }
 
+TEST_CASE("pile problem: a given point is the case's values, with others in their place",
+          "[calibrate][pile]") {
+    const cases::Case c = zirconia();
+    const Problem p = problem_of(c).problem;
+    const Eigen::VectorXd there =
+        stated_point(c, p, {"work_of_adhesion=380 mJ/m^2", "sliding_friction=30 %"});
+    for (std::size_t k = 0; k < p.factors.size(); ++k) {
+        const std::string& name = p.factors[k].name;
+        const double expected = name == "work_of_adhesion"   ? 0.38
+                                : name == "sliding_friction" ? 0.3
+                                                             : c.model.parameters.at(name).value;
+        CHECK(there[static_cast<Eigen::Index>(k)] == Approx(expected).epsilon(1e-12));
+    }
+    CHECK_THROWS_WITH(stated_point(c, p, {"work_of_adhesion"}), Contains("NAME=VALUE"));
+    CHECK_THROWS_WITH(stated_point(c, p, {"sliding_fiction=1"}), Contains("sliding_friction"));
+    CHECK_THROWS_WITH(stated_point(c, p, {"work_of_adhesion=0.4"}), Contains("J/m^2"));
+    CHECK_THROWS_WITH(stated_point(c, p, {"restitution=1.5"}), Contains("between 0 and 1"));
+}
+
 TEST_CASE("pile problem: what a case lacks is named", "[calibrate][pile][domain]") {
     cases::Case fixed = zirconia();
     for (auto& [name, parameter] : fixed.model.parameters) parameter.range.reset();

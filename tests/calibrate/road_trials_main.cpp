@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // road_trials KIND TRIALS BUDGET [density]: both roads on that many synthetic powders; ours with
-// BUDGET runs in all, and with the bulk density as a second target. Prints a line a trial and a summary.
+// BUDGET runs in all, or with "same" as many as the paper's road took on that powder, and with the bulk density as a second target. Prints a line a trial and a summary.
 #include "road_trials.hpp"
 
 #include <fmt/format.h>
@@ -38,19 +38,21 @@ struct Score {
 
 int main(int argc, char** argv) {
     if (argc < 4) {
-        fmt::print(stderr, "road_trials three|five|seven TRIALS BUDGET [density]\n");
+        fmt::print(stderr, "road_trials three|five|seven TRIALS BUDGET|same [density]\n");
         return 2;
     }
     const std::string kind = argv[1];
     const int trials = std::atoi(argv[2]);
     calibrate::SurrogateOptions options;
-    options.budget = std::atoi(argv[3]);
+    const bool same = std::string(argv[3]) == "same";
+    if (!same) options.budget = std::atoi(argv[3]);
     options.settled = 0.0;
     Score paper{"paper"}, quarters{"paper, quarters"}, ours{"ours"};
     double held = 0, foretold = 0, region = 0, width = 0, known = 0;
     for (int k = 0; k < trials; ++k) {
         const auto p = synthetic::powder(kind, static_cast<std::uint64_t>(k), argc > 4);
         const auto a = synthetic::paper_trial(p), c = synthetic::paper_trial(p, true);
+        if (same) options.budget = a.runs;
         const auto b = synthetic::surrogate_trial(p, options);
         fmt::print(
             "{:3} target {:5.1f}  paper {} runs {:6.2f}, quarters {} runs {:6.2f}  ours {} runs "

@@ -43,6 +43,14 @@ TEST_CASE("a missing unit is named and suggested", "[cases][bad]") {
           "(write \"0.01 J/m^2\")");
 }
 
+TEST_CASE("a friction cap belongs to piles, and is one that contact laws have", "[cases][bad]") {
+    CHECK(after("\"model\": {", "\"model\": {\"friction_cap\": \"elastic\",") ==
+          "case.json: model.friction_cap: got \"elastic\", must not stand in a case with the rig "
+          "drop (only piles know it: give them a case of their own)");
+    CHECK(after("\"model\": {", "\"model\": {\"friction_cap\": \"repulsive_par\",")
+              .find("did you mean \"repulsive_part\"?") != std::string::npos);
+}
+
 TEST_CASE("a wrong dimension is named beside the right one", "[cases][bad]") {
     CHECK(after("\"value\": \"50 mJ/m^2\"", "\"value\": \"50 mJ/m^3\"") ==
           "case.json: model.parameters.work_of_adhesion.value: got \"50 mJ/m^3\" [M L^-1 T^-2], "

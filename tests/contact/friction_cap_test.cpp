@@ -16,6 +16,7 @@ TEST_CASE("each cap adds what its codes add", "[contact][friction_cap][exact]") 
     REQUIRE(cap_force(FrictionCap::elastic_plus_two_pull_off, 5.0, -1.0, 2.0, 7.0) == 9.0);
     REQUIRE(cap_force(FrictionCap::total_plus_two_pull_off, 5.0, -1.0, 2.0, 7.0) == 8.0);
     REQUIRE(cap_force(FrictionCap::repulsive_part, 5.0, -1.0, 2.0, 7.0) == 7.0);
+    REQUIRE(cap_force(FrictionCap::elastic, 5.0, -1.0, 2.0, 7.0) == 5.0);
 }
 
 TEST_CASE("without adhesion and dashpot all caps are the normal force",
@@ -25,7 +26,7 @@ TEST_CASE("without adhesion and dashpot all caps are the normal force",
     const double repulsive = contact::repulsive_force(2e9, 3e-4, state.contact_radius);
     for (const FrictionCap cap :
          {FrictionCap::elastic_plus_two_pull_off, FrictionCap::total_plus_two_pull_off,
-          FrictionCap::repulsive_part})
+          FrictionCap::repulsive_part, FrictionCap::elastic})
         REQUIRE(cap_force(cap, state.force, 0.0, 0.0, repulsive) ==
                 Approx(state.force).epsilon(1e-14));
 }
@@ -34,6 +35,7 @@ TEST_CASE("a pulling dashpot never makes friction negative", "[contact][friction
     REQUIRE(cap_force(FrictionCap::total_plus_two_pull_off, 1.0, -9.0, 2.0, 1.0) == 0.0);
     REQUIRE(cap_force(FrictionCap::elastic_plus_two_pull_off, -1.0, 0.0, 0.0, 1.0) == 0.0);
     REQUIRE(cap_force(FrictionCap::repulsive_part, 1.0, 0.0, 0.0, -1.0) == 0.0);
+    REQUIRE(cap_force(FrictionCap::elastic, -1.0, 0.0, 2.0, 1.0) == 0.0);
 }
 
 // At the deepest tension F_e = -F_po, so mu (F_e + 2 F_po) still holds the grain with mu F_po.

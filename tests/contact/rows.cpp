@@ -134,7 +134,8 @@ Row friction_cap() {
                 };
                 return Quantities{{"elastic", newton, with(elastic_plus_two_pull_off)},
                                   {"total", newton, with(total_plus_two_pull_off)},
-                                  {"repulsive", newton, with(repulsive_part)}};
+                                  {"repulsive", newton, with(repulsive_part)},
+                                  {"bare", newton, with(elastic)}};
             }};
 }
 

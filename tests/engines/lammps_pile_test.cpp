@@ -103,6 +103,8 @@ TEST_CASE("lammps pile: what LAMMPS has not is refused by name", "[engines][lamm
     CHECK_THAT(message(s), Contains("funnel"));
     s = good, s.grains.rigid_tangential = true;
     CHECK_THAT(message(s), Contains("hertz_coulomb"));
+    s = good, s.grains.friction_cap = contact::FrictionCap::elastic;
+    CHECK_THAT(message(s), Contains("friction_cap"));
     s = good, s.grains.restitution = 0.1;
     CHECK_THAT(message(s), Contains("0.12"));
     s = good, s.sleep_speed = 1.0;

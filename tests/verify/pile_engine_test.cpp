@@ -89,6 +89,13 @@ TEST_CASE("pile engine: what it has finished before a signal is remembered, and 
     CHECK(std::distance(std::filesystem::directory_iterator(folder.path), {}) == 6);
 }
 
+TEST_CASE("pile engine: what friction multiplies is part of what is remembered",
+          "[verify][engine]") {
+    verify::PileJob a = job("a", 1), b = a;
+    b.setup.grains.friction_cap = contact::FrictionCap::repulsive_part;
+    CHECK(verify::file_of(a, "x") != verify::file_of(b, "x"));
+}
+
 TEST_CASE("pile engine: SDS rolling is part of what is remembered", "[verify][engine]") {
     verify::PileJob a = job("a", 1), b = a;
     b.setup.grains.as_lammps->rolling_damping *= 2.0;
