@@ -57,6 +57,7 @@ Verb calibrate_verb(CLI::App& app, const std::string& command) {
     verb->add_flag("--replay", options->replay,
                    "pour nothing: compute published.json beside the case again and audit it");
     add_campaign_options(*verb, options->campaign);
+    verb->get_option("--replay")->excludes(verb->get_option("--at"));
     add_common(*verb, options->campaign.common);
     verb->footer(examples);
     return {verb, [options, command] {

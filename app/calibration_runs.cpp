@@ -38,9 +38,10 @@ const cases::Experiment& pile_of(const cases::Case& c, const std::string& id) {
     }
     if (chosen != nullptr) return *chosen;
     if (id.empty())
-        throw InvalidInput(mistake(c.path + ": experiments", "no pile with a recording",
-                                   "must hold one to calibrate against",
-                                   "give a pile a recording of angle_of_repose"));
+        throw InvalidInput(
+            mistake(c.path + ": experiments", "no pile with a recording",
+                    "must hold one to calibrate against",
+                    "give a pile a recording of angle_of_repose, or of azimuth, r and z"));
     throw InvalidInput(
         mistake("--experiment", cases::in_quotes(id), "must be a pile of this case",
                 piles.empty() ? "this case has none" : cases::suggestion(id, piles)));
@@ -91,14 +92,7 @@ class Campaign {
             for (Run& run : poured(asked)) result_.history.push_back(std::move(run));
             write_runs();
         }
-        std::string missed;
-        for (const auto& [criterion, heaps] : missed_)
-            missed += fmt::format("{}{} ({})", missed.empty() ? "" : ", ",
-                                  reports::words(criterion), heaps);
-        if (!missed.empty())
-            result_.pile.notes.push_back(
-                fmt::format("of {} heaps so many fail at a criterion, some at several: {}",
-                            result_.history.size(), missed));
+        note_failures();
         return std::move(result_);
     }
 
@@ -190,8 +184,26 @@ class Campaign {
                                                            .profile_r = times(s.profile_r, d),
                                                            .profile_z = times(s.profile_z, d)},
                                                           density)});
+            unread_ += s.formed && s.at_rest && !runs.back().values;
         }
         return runs;
+    }
+
+    // What the heaps that do not count failed at.
+    void note_failures() {
+        const std::size_t heaps = result_.history.size();
+        std::string missed;
+        for (const auto& [criterion, count] : missed_)
+            missed += fmt::format("{}{} ({})", missed.empty() ? "" : ", ",
+                                  reports::words(criterion), count);
+        if (!missed.empty())
+            result_.pile.notes.push_back(fmt::format(
+                "of {} heaps so many fail at a criterion, some at several: {}", heaps, missed));
+        if (unread_ > 0)
+            result_.pile.notes.push_back(fmt::format(
+                "{} of {} heaps formed, but not every target could be read from them: they count "
+                "as not formed",
+                unread_, heaps));
     }
 
     void write_runs() const {
@@ -224,6 +236,7 @@ class Campaign {
     const CalibrationWatch& watch_;
     Calibration result_{};
     std::map<std::string, int> missed_;  // criterion of a heap, how many failed at it
+    int unread_ = 0;                     // heaps that formed, without a value of each target
     double asked_ = 1.0;                 // heaps of the batch that is being poured
 };
 
@@ -234,6 +247,12 @@ calibrate::Calibration calibration(const cases::Case& c, const RoadOptions& o,
     if (o.road != "surrogate" && o.road != "paper")
         throw InvalidInput(mistake("--road", cases::in_quotes(o.road), "must be surrogate or paper",
                                    "surrogate is the default"));
+    if (!o.at.empty() && o.road != "surrogate")
+        throw InvalidInput(mistake("--road", cases::in_quotes(o.road), "must not stand beside --at",
+                                   "a given point takes no road"));
+    if (!o.at.empty() && o.confirm == 0)
+        throw InvalidInput(mistake("--confirm", "0", "must be at least 1 beside --at",
+                                   "these are the heaps that are poured there"));
     return Campaign(c, o, watch).run();
 }
 

@@ -153,6 +153,10 @@ Identification identify(const Surrogate& s, const Posterior& p, const VectorXd& 
             offer.target, problem.targets[j].standard_deviation, problem.targets[j].unit,
             offer.bits, problem.factors[most].name, 100.0 * offer.shrinkage[most],
             100.0 * now[most]);
+        if (offer.bits < 0.05)
+            offer.words = fmt::format(
+                "measuring {} to {:.3g} {} is expected to say nothing new of the parameters",
+                offer.target, problem.targets[j].standard_deviation, problem.targets[j].unit);
         id.offers.push_back(std::move(offer));
     }
     std::stable_sort(id.offers.begin(), id.offers.end(),

@@ -22,6 +22,8 @@ using scaling::mistake;
 constexpr double degree = std::numbers::pi / 180.0;
 constexpr double density_trusted_to = 0.05;
 constexpr double decade = 10.0;
+// Of d: a cone of 20 deg on it has ten cubes of d in the inside that rigs::packing_fraction reads.
+constexpr double base_with_an_inside = 20.0;
 
 std::vector<Factor> free_parameters(const cases::Case& c) {
     std::vector<Factor> factors;
@@ -127,7 +129,10 @@ PileProblem pile_problem(const cases::Case& c, const cases::Experiment& e, const
         throw InvalidInput(mistake(c.path + ": stated.bulk_density", "nothing",
                                    "must be given to calibrate against it",
                                    "write \"2.05 g/cm^3\", or leave --bulk-density out"));
-    if (c.stated.bulk_density) p.problem.targets.push_back(bulk_density(c, o.bulk_density));
+    const double base = e.conditions.at("base_diameter").quantity<scaling::Length>().value();
+    const bool wide = base >= base_with_an_inside * e.grain.diameter.value.value();
+    if (c.stated.bulk_density && (o.bulk_density || wide))
+        p.problem.targets.push_back(bulk_density(c, o.bulk_density));
     if (o.bulk_density)
         p.notes.emplace_back(
             "the stated bulk density is trusted to 5 % and held against the inside of the heap");

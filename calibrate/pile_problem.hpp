@@ -22,7 +22,7 @@ struct PileOptions {
 
 struct PileProblem {
     Problem
-        problem;  // what was recorded of: angle of repose, deg; heights, m; where the case states it, bulk density, kg/m^3
+        problem;  // what was recorded of: angle of repose, deg; heights, mm; where the case states it, bulk density, kg/m^3
     std::string experiment;
     std::optional<rigs::Estimator>
         estimator;  // that reads the angle of a simulated heap; nothing: none was recorded
@@ -33,7 +33,8 @@ struct PileProblem {
 
 // Factors: parameters of the model with a range, in SI; a range of a decade and more is logarithmic. The angle's deviation is that of
 // the mean of the recorded angles: their sample standard deviation, or the recording's noise where that is larger, over the root of
-// their number. The bulk density, where the case states one, is trusted to 5 %. `protractor`: a simulated heap is read by its silhouette. Throws
+// their number. The bulk density, where the case states one, is trusted to 5 %; unasked it is a
+// target without a value on bases of 20 grains and more, where heaps have an inside. `protractor`: a simulated heap is read by its silhouette. Throws
 // scaling::InvalidInput where nothing is free, neither angle nor profile is recorded, or a single one without its noise.
 PileProblem pile_problem(const cases::Case&, const cases::Experiment&, const PileOptions&,
                          std::uint64_t seed);

@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::array<double, 4> ring_edges = {0.125, 0.375, 0.625, 0.875};  // of the base's radius
 constexpr std::array ring_names = {"height_near_axis", "height_half_way", "height_near_edge"};
+constexpr double millimetre = 1e-3;                // m
 constexpr double sector = std::numbers::pi / 6.0;  // rad
 
 struct Reading {
@@ -93,7 +94,8 @@ std::vector<RingHeight> ring_heights(const cases::Case& c, const cases::Experime
         double height = 0.0;
         for (const Reading& p : readings)
             ring.r.push_back(p.r), height += p.z / static_cast<double>(readings.size());
-        ring.target = {ring_names[k], "m", height, deviation(c, e, readings)};
+        ring.target = {ring_names[k], "mm", height / millimetre,
+                       deviation(c, e, readings) / millimetre};
         rings.push_back(std::move(ring));
     }
     return rings;
@@ -113,7 +115,7 @@ std::optional<double> height_in(const RingHeight& ring, const std::vector<double
         const double share = (at - r[k - 1]) / (r[k] - r[k - 1]);
         sum += z[k - 1] + share * (z[k] - z[k - 1]);
     }
-    return sum / static_cast<double>(ring.r.size());
+    return sum / static_cast<double>(ring.r.size()) / millimetre;
 }
 
 }  // namespace calibrate

@@ -14,7 +14,7 @@
 namespace calibrate {
 
 struct RingHeight {
-    Target target;          // m
+    Target target;          // mm
     std::vector<double> r;  // m, of its recorded readings
 };
 
@@ -23,7 +23,7 @@ struct RingHeight {
 // root of the sectors' number. Throws scaling::InvalidInput for one sector without noise; nothing where no profile is recorded.
 std::vector<RingHeight> ring_heights(const cases::Case&, const cases::Experiment&);
 
-// The same mean of a simulated profile, a line between its points; r rising, z, m. Nothing without a profile.
+// The same mean of a simulated profile, mm; a line between its points; r rising, z, m. Nothing without a profile.
 std::optional<double> height_in(const RingHeight&, const std::vector<double>& r,
                                 const std::vector<double>& z);
 

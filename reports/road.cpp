@@ -90,21 +90,24 @@ std::string foretold(const Calibration& c, std::size_t target) {
 }
 
 TextTable target_table(const Calibration& c) {
-    TextTable table{
-        {"target", "measured", "foretold", "heaps of fresh seeds", "95 % of their mean", "agrees"}};
+    TextTable table{{"target", "measured"}};
+    if (!c.given) table[0].emplace_back("foretold");
+    table[0].insert(table[0].end(), {"heaps of fresh seeds", "95 % of their mean", "agrees"});
     const std::vector<Target>& targets = c.pile.problem.targets;
     for (std::size_t k = 0; k < targets.size(); ++k) {
         const Target& t = targets[k];
         if (!t.value) continue;
         const auto there = calibrate::confirmed(c, k);
         table.push_back({fmt::format("{}, {}", words(t.name), t.unit),
-                         fmt::format("{} +- {}", number(*t.value), number(t.standard_deviation)),
-                         foretold(c, k), there ? number(there->mean) : "none",
-                         there && there->interval
-                             ? fmt::format("[{}, {}]", number(there->interval->low),
-                                           number(there->interval->high))
-                             : "none",
-                         there ? there->agrees ? "yes" : "no" : "no heap formed"});
+                         fmt::format("{} +- {}", number(*t.value), number(t.standard_deviation))});
+        std::vector<std::string>& row = table.back();
+        if (!c.given) row.push_back(foretold(c, k));
+        row.push_back(there ? number(there->mean) : "none");
+        row.push_back(there && there->interval
+                          ? fmt::format("[{}, {}]", number(there->interval->low),
+                                        number(there->interval->high))
+                          : "none");
+        row.emplace_back(!there ? "no heap formed" : there->agrees ? "yes" : "no");
     }
     return table;
 }
@@ -268,13 +271,18 @@ std::string text_of(const Calibration& c) {
     std::vector<bool> right(factors.front().size(), true);
     right[0] = false;
     text += columns(factors, right) + "\n";
-    return text + columns(target_table(c), {false, true, true, true, true, false});
+    const TextTable targets = target_table(c);
+    right.assign(targets.front().size(), true);
+    right.front() = right.back() = false;
+    return text + columns(targets, right);
 }
 
 Page page_of(const cases::Case& given, const Calibration& c, const Provenance& who) {
     Page page{.title = given.title, .source = given.source};
     page.verdict = verdict_of(c);
-    RunSection result{"What was met", page.verdict, notes_of(c), {}, target_table(c), {}};
+    RunSection result{"What was met",  {page.verdict.answer, page.verdict.headline, ""},
+                      notes_of(c),     {},
+                      target_table(c), {}};
     result.figure = confirmation_figure(c);
     RunSection parameters{"What the parameters are",
                           {parameters_known(c), fixed_words(c), ""},

@@ -11,7 +11,7 @@
 
 namespace reports {
 
-// Format similitude-calibration/1: factors and targets (angles in deg, all else in SI, as `unit` says), answer, every run.
+// Format similitude-calibration/1: factors and targets (angles in deg, heights in mm, all else in SI, as `unit` says), answer, every run.
 Json to_json(const calibrate::Calibration&, const Provenance&);
 
 std::string text_of(const calibrate::Calibration&);

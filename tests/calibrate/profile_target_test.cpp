@@ -54,8 +54,8 @@ TEST_CASE("profile: heights in three rings, known by what sectors differ", "[cal
     for (std::size_t k = 0; k < 3; ++k) {
         const double middle = base_radius * static_cast<double>(k + 1) / 4.0;
         const double one_step = slope * base_radius / radii;  // readings need not lie evenly
-        CHECK(rings[k].target.value.value() == Approx(cone(middle)).margin(one_step));
-        CHECK(rings[k].target.standard_deviation == Approx(1e-4 / std::sqrt(11.0)).epsilon(1e-9));
+        CHECK(rings[k].target.value.value() == Approx(1e3 * cone(middle)).margin(1e3 * one_step));
+        CHECK(rings[k].target.standard_deviation == Approx(0.1 / std::sqrt(11.0)).epsilon(1e-9));
     }
 }
 
@@ -81,7 +81,7 @@ TEST_CASE("profile: of several scans the last counts", "[calibrate][profile]") {
                                       before.columns[k].values.end());
     const cases::Case c = recorded(both);
     CHECK(ring_heights(c, c.experiments.front()).front().target.standard_deviation ==
-          Approx(1e-4 / std::sqrt(11.0)).epsilon(1e-9));
+          Approx(0.1 / std::sqrt(11.0)).epsilon(1e-9));
 }
 
 TEST_CASE("profile: one azimuth needs the noise of z", "[calibrate][profile][domain]") {
@@ -91,7 +91,7 @@ TEST_CASE("profile: one azimuth needs the noise of z", "[calibrate][profile][dom
     CHECK_THROWS_WITH(ring_heights(c, c.experiments.front()),
                       Contains("noise") && Contains("azimuths"));
     c.experiments.front().noise["z"] = 2e-4;
-    CHECK(ring_heights(c, c.experiments.front()).front().target.standard_deviation == Approx(2e-4));
+    CHECK(ring_heights(c, c.experiments.front()).front().target.standard_deviation == Approx(0.2));
 }
 
 TEST_CASE("pile problem: a profile is the target in place of the angle, or beside it",
@@ -129,7 +129,7 @@ namespace {
 std::vector<double> heights(const std::vector<RingHeight>& rings, const Eigen::VectorXd& at,
                             std::uint64_t seed) {
     std::mt19937_64 dice(seed);
-    std::normal_distribution<double> scatter(0.0, 1e-4);
+    std::normal_distribution<double> scatter(0.0, 0.1);
     const double top = 0.025 + 0.01 * at[1], steep = 0.5 + 0.6 * at[0];
     std::vector<double> values;
     for (const RingHeight& ring : rings)
