@@ -259,6 +259,8 @@ Verdict verdict_of(const Calibration& c) {
                                 c.confirming().size(), place(c), number(there->mean))
                   : "no fresh heap formed");
     }
+    if (formed(c.confirming()) == 0)
+        return {Answer::no, "No fresh heap formed at " + place(c), why};
     return calibrate::holds(c) ? Verdict{Answer::yes, "Fresh heaps meet what was measured", why}
                                : Verdict{Answer::no, "Fresh heaps miss what was measured", why};
 }

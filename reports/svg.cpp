@@ -325,7 +325,7 @@ std::string interval_svg(const std::string& title, const std::string& descriptio
         longest = std::max(longest, row.label.size());
     }
     if (x.empty()) return "";
-    const double labels = character * static_cast<double>(longest) + 12.0, line = 34.0;
+    const double labels = character * static_cast<double>(longest) + 18.0, line = 34.0;
     Frame f{with_room(x),
             {0.0, 1.0},
             8.0,
