@@ -2,6 +2,7 @@
 #include "engines/lammps_pile.hpp"
 
 #include "engines/lammps_files.hpp"
+#include "engines/lammps_rules.hpp"
 #include "engines/lammps_run.hpp"
 #include "engines/pile_feed.hpp"
 #include "engines/pile_run.hpp"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -49,14 +51,56 @@ TEST_CASE("lammps pile: LAMMPS is told E = 2 E*, so that its wall, which halves 
           "[engines][lammps][pile]") {
     rigs::ContactParameters c{};
     c.e_star = 1e6, c.g_star = 2.5e5, c.sliding_friction = 0.5, c.restitution = 1.0;
-    CHECK_THAT(engines::granular_arguments(c),
+    CHECK_THAT(engines::granular_arguments(c, {}, {}),
                Contains("hertz/material 2000000 ") && Contains(" 0 damping tsuji tangential "
                                                                "mindlin_rescale 2000000 1 0.5"));
     c.work_of_adhesion = 0.5, c.rolling_friction = 0.25;
     c.as_lammps = rigs::LammpsRules{500.0, 0.125};
-    CHECK_THAT(engines::granular_arguments(c), Contains("jkr 2000000 ") && Contains(" 0 0.25 ") &&
-                                                   Contains(" rolling sds 500 0.125 0.25") &&
-                                                   Contains(" twisting marshall"));
+    CHECK_THAT(engines::granular_arguments(c, {}, {}),
+               Contains("jkr 2000000 ") && Contains(" 0 0.25 ") &&
+                   Contains(" rolling sds 500 0.125 0.25") && Contains(" twisting marshall"));
+}
+
+// Manual of 2 Sep 2026: `damping coeff_restitution` gives -2 sqrt(5/6) ln e/sqrt(pi^2 + ln^2 e) sqrt(3/2 k m*) with k = 4/3 E* a, the
+// case's own dashpot; it and `tsuji` are "not compatible with cohesive normal models"; `viscoelastic` is eta a m*. By hand for the pair
+// below: a0^3 = 9 pi w R*^2/(2 E*) = (1 mm)^3, the dashpot 2 sqrt(5/6) beta sqrt(2 E* a0 m*) with beta = 1/sqrt 2 at e = exp(-pi).
+TEST_CASE(
+    "lammps pile: later releases are told the restitution itself, and viscoelastic dashpots under "
+    "JKR",
+    "[engines][lammps][pile]") {
+    const engines::DeckOptions later{.lammps = engines::LammpsRelease::later};
+    const engines::NominalPair pair{1e-3, 2e-6};
+    rigs::ContactParameters c{};
+    c.e_star = 1e6, c.g_star = 2.5e5, c.sliding_friction = 0.5, c.restitution = 0.25;
+    CHECK(engines::granular_arguments(c, later, pair) ==
+          "hertz/material 2000000 0.25 0 damping coeff_restitution tangential mindlin_rescale "
+          "2000000 1 0.5");
+    c.restitution = std::exp(-std::numbers::pi);
+    c.work_of_adhesion = 1e6 * 1e-3 / (4.5 * std::numbers::pi);
+    const double dashpot =
+        2.0 * std::sqrt(5.0 / 12.0) * std::sqrt(2.0 * 1e6 * 1e-3 * 2e-6);  // kg/s
+    CHECK(engines::viscoelastic_eta(c, pair) * 1e-3 * 2e-6 == Approx(dashpot).epsilon(1e-12));
+    const std::string jkr = engines::granular_arguments(c, later, pair);
+    CHECK_THAT(jkr, Contains(" damping viscoelastic ") && Contains(" twisting marshall"));
+    for (const char* refused : {"tsuji", "coeff_restitution"})
+        CHECK(jkr.find(refused) == std::string::npos);
+}
+
+TEST_CASE("lammps pile: a deck for later releases says that nobody has run it",
+          "[engines][lammps][pile]") {
+    const engines::DeckOptions later{.lammps = engines::LammpsRelease::later};
+    for (const char* base : {"flat", "glued_grains"}) {
+        rigs::PileSetup s = small_setup(base, "", 20);
+        s.grains.restitution = 0.05;  // coeff_restitution has no polynomial that ends
+        const std::string deck = engines::lammps_pile(s, later).deck;
+        CHECK_THAT(deck, Contains("UNTESTED") && Contains("\npair_coeff * * hertz/material ") &&
+                             Contains(" damping coeff_restitution "));
+        CHECK(deck.find("tsuji") == std::string::npos);
+        s.grains.restitution = 0.0;
+        CHECK_THROWS_WITH(engines::lammps_pile(s, later), Contains("coeff_restitution"));
+    }
+    CHECK(engines::lammps_pile(small_setup("flat", "", 20)).deck.find("UNTESTED") ==
+          std::string::npos);
 }
 
 TEST_CASE("lammps pile: the traps of the release are kept out of the deck",
