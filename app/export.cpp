@@ -6,9 +6,9 @@
 #include "app/lammps_cost.hpp"
 #include "cases/messages.hpp"
 #include "cases/read_case.hpp"
+#include "engines/lammps_pull_off.hpp"
 #include "engines/lammps_rules.hpp"
 #include "engines/nearest.hpp"
-#include "engines/one_throw.hpp"
 #include "engines/process.hpp"
 #include "reports/numbers.hpp"
 #include "rigs/forward.hpp"
@@ -36,7 +36,7 @@ struct ExportOptions {
 
 constexpr const char* examples = R"(Examples:
   similitude export my-powder --engine lammps --out runs/deck --seed 3
-      deck.in and its data files for every pile, drop, incline and impact, each in runs/deck/ID-lammps
+      deck.in and its data files for every pile, drop, incline, impact and pull_off, each in runs/deck/ID-lammps
   similitude export my-powder --engine lammps --out runs/deck --submit slurm --ranks 32
       and job.sh beside each deck: sbatch job.sh
   similitude export my-powder --engine lammps --lammps-release later
@@ -80,6 +80,8 @@ Exported exported(const cases::Case& c, const cases::Experiment& e, const Export
     if (e.rig != "pile") {
         Exported made{e.id, peer.one_grain(c, e, rigs::ordinates_of(e), options)};
         warn(made, false);
+        const std::string tear_off = e.rig == "pull_off" ? engines::tear_off_note(c, e) : "";
+        if (!tear_off.empty()) made.said.push_back(e.id + ": " + tear_off);
         return made;
     }
     const rigs::PileSetup setup = chosen_setup(c, e, o.seed, true, choice);
@@ -98,10 +100,6 @@ std::string estimate_text(const LammpsCost& cost, int ranks) {
         "which machine)",
         reports::count(cost.grains), reports::count(cost.steps), reports::count(cost.grain_steps),
         reports::quantity(cost.seconds, "s"), ranks, ranks == 1 ? "" : "s");
-}
-
-bool has_deck(const cases::Experiment& e) {
-    return e.rig == "pile" || engines::has_one_grain_deck(e);
 }
 
 engines::LammpsRelease release_of(const ExportOptions& o) {
@@ -134,16 +132,16 @@ int run(const ExportOptions& o) {
     std::vector<std::string> ids;
     std::vector<Exported> decks;
     for (const cases::Experiment& e : c.experiments) {
-        if (!has_deck(e)) continue;
+        if (!engines::has_deck(peer, e)) continue;
         ids.push_back(e.id);
         if (!o.experiment.empty() && e.id != o.experiment) continue;
         decks.push_back(exported(c, e, o, choice, release));
     }
     if (decks.empty())
-        throw InvalidInput(
-            mistake("--experiment", o.experiment.empty() ? "none" : cases::in_quotes(o.experiment),
-                    "must be a pile, drop, incline or impact of the case",
-                    ids.empty() ? "this case has none" : cases::suggestion(o.experiment, ids)));
+        throw InvalidInput(mistake(
+            "--experiment", o.experiment.empty() ? "none" : cases::in_quotes(o.experiment),
+            "must be a pile, drop, incline or impact of the case, in LAMMPS also a pull_off",
+            ids.empty() ? "this case has none" : cases::suggestion(o.experiment, ids)));
     for (const auto& [id, deck, cost, said] : decks) {
         const std::filesystem::path folder = std::filesystem::path(o.out) / (id + "-" + peer.name);
         engines::write_deck(deck, folder);

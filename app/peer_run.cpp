@@ -106,6 +106,10 @@ ExperimentRun curves_in_peer(const Case& c, const Experiment& e, const std::file
         const std::vector<cases::Column> columns = curve_columns(e, result.curves, at);
         cases::write_csv((where / (e.id + ".csv")).string(), columns);
         run.section = reports::curves_section(e.id, columns, e.recording ? &*e.recording : nullptr);
+        if (!result.note.empty()) {
+            run.section->notes.push_back(result.note);
+            run.result["note"] = result.note;
+        }
     }
     run.result["engine"] =
         engine_json(peer, result.release, 1, result.command, folder, result.deck);

@@ -209,8 +209,9 @@ Verb simulate_verb(CLI::App& app, const std::string& command) {
         "--sleep", options->sleep,
         "leave out regions of a heap that are at rest until something comes: faster, and "
         "not quite the same heap");
-    verb->add_option("--engine", options->engine,
-                     "who runs them: dem_min, or lammps, liggghts or yade (all rigs but pull_off)")
+    verb->add_option(
+            "--engine", options->engine,
+            "who runs them: dem_min, or lammps, liggghts or yade (pull_off: dem_min or lammps)")
         ->type_name("ENGINE")
         ->capture_default_str();
     verb->add_option("--ranks", options->ranks, "MPI ranks of LAMMPS or LIGGGHTS; 1 by default")

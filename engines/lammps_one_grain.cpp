@@ -2,6 +2,7 @@
 #include "engines/lammps_one_grain.hpp"
 
 #include "engines/lammps_files.hpp"
+#include "engines/lammps_pull_off.hpp"
 #include "engines/lammps_rules.hpp"
 
 #include <fmt/format.h>
@@ -40,6 +41,7 @@ double lammps_time_step(const cases::Case& c, const cases::Experiment& e) {
 
 Deck lammps_one_grain(const cases::Case& c, const cases::Experiment& e, const rigs::Ordinates& at,
                       const DeckOptions& options) {
+    if (e.rig == "pull_off") return lammps_pull_off(c, e, at, options);
     const Throw t(c, e, at, options, "lammps");
     const rigs::ContactParameters contact = t.contact();
     refuse_restitution(contact.restitution, options);
