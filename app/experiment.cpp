@@ -89,7 +89,7 @@ ExperimentRun pile_run(const PileTask& task) {
     run.dumps = outcome.dumps;
     run.frames = outcome.frames;
     if (!outcome.record) return run;
-    write_pile(task.folder, task.id, *outcome.record);
+    run.tables = write_pile(task.folder, task.id, *outcome.record);
     run.section = reports::pile_section(task.id, *outcome.record);
     run.result = reports::to_json(*outcome.record);
     run.forget = [task] { forget(task); };
@@ -111,10 +111,11 @@ ExperimentRun drop_run(const Experiment& e, const rigs::DropSetup& setup,
                                         ? rigs::run_drop(setup, recording->values("t"))
                                         : rigs::run_drop(setup);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    cases::write_csv((folder / (e.id + ".csv")).string(),
-                     {{"t", "s", record.t}, {"z", "m", record.z}, {"x", "m", record.x}});
-    return {e.id, "drop", seconds.count(), reports::drop_section(e.id, record, recording),
-            reports::to_json(record)};
+    ExperimentRun run{e.id, "drop", seconds.count(), reports::drop_section(e.id, record, recording),
+                      reports::to_json(record)};
+    run.tables = {{e.id, {{"t", "s", record.t}, {"z", "m", record.z}, {"x", "m", record.x}}}};
+    cases::write_csv((folder / (e.id + ".csv")).string(), run.tables.front().columns);
+    return run;
 }
 
 // Of the rigs with a forward model and no runner of their own.
@@ -125,11 +126,13 @@ ExperimentRun curves_run(const Experiment& e, const rigs::World& world,
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     cases::write_csv((folder / (e.id + ".csv")).string(), columns);
     const cases::Recording* recording = e.recording ? &*e.recording : nullptr;
-    return {e.id,
-            e.rig,
-            seconds.count(),
-            reports::curves_section(e.id, columns, recording),
-            {{"rows", columns.front().values.size()}}};
+    ExperimentRun run{e.id,
+                      e.rig,
+                      seconds.count(),
+                      reports::curves_section(e.id, columns, recording),
+                      {{"rows", columns.front().values.size()}}};
+    run.tables = {{e.id, columns}};
+    return run;
 }
 
 bool has_curves(const Experiment& e) {

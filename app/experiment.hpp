@@ -6,6 +6,7 @@
 #include "app/dump.hpp"
 #include "cases/case.hpp"
 #include "engines/peer.hpp"
+#include "reports/run_sheets.hpp"
 #include "reports/runs.hpp"
 #include "rigs/pile.hpp"
 
@@ -24,9 +25,10 @@ struct ExperimentRun {
     double seconds;
     std::optional<reports::RunSection> section;  // none where interrupted
     reports::Json result;
-    std::vector<std::filesystem::path> dumps{};  // to open, one a format
-    std::size_t frames = 0;                      // in each of them
-    std::function<void()> forget = [] {};        // once all results are on disk: the checkpoint
+    std::vector<std::filesystem::path> dumps{};   // to open, one a format
+    std::size_t frames = 0;                       // in each of them
+    std::vector<reports::ChannelTable> tables{};  // as the CSV files have them
+    std::function<void()> forget = [] {};         // once all results are on disk: the checkpoint
 };
 
 // Who runs an experiment, and by which contact rules.
