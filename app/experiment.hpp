@@ -39,8 +39,16 @@ struct EngineChoice {
     bool nearest = false;                 // the peer's nearest law where it has not the case's
 };
 
+// What a verb's --engine and --contact take, and what to say of a name that only other verbs take.
+struct EngineNames {
+    std::vector<std::string> engines{"dem_min", "lammps", "liggghts", "yade"};
+    std::vector<std::string> contacts{"own", "lammps", "nearest"};
+    std::string otherwise{};
+};
+
 // From --engine, --ranks (0 where not given) and --contact. Throws scaling::InvalidInput.
-EngineChoice engine_choice(const std::string& engine, int ranks, const std::string& contact);
+EngineChoice engine_choice(const std::string& engine, int ranks, const std::string& contact,
+                           const EngineNames& = {});
 
 // The setup of a pile of the case as it is run: counted_setup, under the rules chosen. Throws scaling::InvalidInput.
 rigs::PileSetup chosen_setup(const cases::Case&, const cases::Experiment&, std::uint64_t seed,

@@ -120,13 +120,13 @@ int run(const ExportOptions& o) {
     if (!o.submit.empty() && o.submit != "slurm")
         throw InvalidInput(mistake("--submit", cases::in_quotes(o.submit), "must be slurm",
                                    "leave it out and start the deck yourself"));
-    const EngineChoice choice = engine_choice(o.engine, o.ranks,
-                                              !o.contact.empty()     ? o.contact
-                                              : o.engine == "lammps" ? "lammps"
-                                                                     : "own");
-    if (choice.peer == nullptr)
-        throw InvalidInput(mistake("--engine", cases::in_quotes(o.engine), "must be another engine",
-                                   "simulate runs dem_min"));
+    const std::string contact = !o.contact.empty()     ? o.contact
+                                : o.engine == "lammps" ? "lammps"
+                                                       : "own";
+    const EngineChoice choice =
+        engine_choice(o.engine, o.ranks, contact,
+                      {.engines = {"lammps", "liggghts", "yade"},
+                       .otherwise = "simulate runs our own core, under the rules own or lammps"});
     const engines::Peer& peer = *choice.peer;
     const engines::LammpsRelease release = release_of(o);
     std::vector<std::string> ids;

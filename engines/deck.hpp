@@ -15,7 +15,7 @@ struct Deck {
     std::vector<std::pair<std::string, std::string>> files{};  // name and text, beside it
 };
 
-// Results and batches of an earlier run in the folder go.
+// Results, logs and batches of an earlier run in the folder go: none of them may be taken for this run's.
 void write_deck(const Deck&, const std::filesystem::path& folder);
 
 // The syntax of LAMMPS: of the release that decks are run with, or of the manual's later ones (engines/lammps_rules.hpp).

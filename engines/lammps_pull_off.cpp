@@ -2,6 +2,7 @@
 #include "engines/lammps_pull_off.hpp"
 
 #include "engines/lammps_contact.hpp"
+#include "engines/lammps_files.hpp"
 #include "engines/lammps_rules.hpp"
 #include "engines/pile_feed.hpp"
 #include "rigs/one_grain.hpp"

@@ -7,7 +7,7 @@
 
 #include "cases/case.hpp"
 #include "engines/deck.hpp"
-#include "engines/lammps_files.hpp"
+#include "engines/lammps_dump.hpp"
 #include "rigs/forward.hpp"
 
 #include <string>

@@ -261,9 +261,8 @@ PeerCurvesRun run_one_grain(const Peer& peer, const std::filesystem::path& progr
         throw std::runtime_error(fmt::format("{}: {} ended with {}: {}", folder.string(),
                                              peer.title, f.exit_code, peer.complaint(f.out)));
     const std::string dump = (folder / "rows.dump").string();
-    const std::vector<LammpsFrame> frames = std::filesystem::exists(dump)
-                                                ? read_lammps_dump(file_text(dump), dump)
-                                                : std::vector<LammpsFrame>{};
+    const std::vector<LammpsFrame> frames =
+        std::filesystem::exists(dump) ? read_lammps_frames(dump) : std::vector<LammpsFrame>{};
     if (is_thrown(e)) {
         result.curves = Throw(c, e, at, options, peer.name).curves(frames);
     } else {

@@ -4,6 +4,7 @@
 // `id x y z vx vy vz omegax omegay omegaz`: of a drop or an incline at the step before each row, of an impact at the end.
 #pragma once
 
+#include "engines/lammps_dump.hpp"
 #include "engines/lammps_files.hpp"
 #include "engines/peer.hpp"
 #include "rigs/one_grain.hpp"

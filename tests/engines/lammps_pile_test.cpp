@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engines/lammps_pile.hpp"
 
+#include "engines/lammps_dump.hpp"
 #include "engines/lammps_files.hpp"
 #include "engines/lammps_rules.hpp"
 #include "engines/lammps_run.hpp"
@@ -244,8 +245,7 @@ TEST_CASE("lammps pile: on a flat base every batch bounces with the stated resti
     CHECK(run.end->record.heap.centre.size() == 6);
     CHECK(run.end->record.coordination == 1.0);  // each lies on the plate
 
-    const std::string file = (folder.path / "path.dump").string();
-    const auto frames = engines::read_lammps_dump(engines::file_text(file), file);
+    const auto frames = engines::read_lammps_frames(folder.path / "path.dump");
     rigs::PileRun ours = rigs::begin_pile(s, 1);
     std::vector<std::vector<double>> here(6);
     while (!ours.finished) {
@@ -284,6 +284,17 @@ TEST_CASE("lammps pile: a heap on a flat base comes back whole, and the lost are
         CHECK(p.z > 0.45 * s.d);  // soft and sticky: overlaps of up to 0.05 d, as above
         CHECK(std::hypot(p.x, p.y) < r.base_radius + 1.5 * s.d);
     }
+}
+
+TEST_CASE("lammps pile: what an earlier run left in the folder is gone",
+          "[engines][lammps][pile]") {
+    const Scratch folder("lammps-pile-earlier");
+    for (const char* file : {"log.lammps", "final.dump", "final.data", "rows.dump"})
+        engines::write_text(folder.path / file, "of an earlier run");
+    engines::write_deck(engines::lammps_pile(small_setup("glued_grains", all_physics, 5)),
+                        folder.path);
+    for (const char* file : {"log.lammps", "final.dump", "final.data", "rows.dump"})
+        CHECK_FALSE(std::filesystem::exists(folder.path / file));
 }
 
 TEST_CASE("lammps pile: an error of LAMMPS is told with its log", "[engines][lammps][pile]") {
