@@ -121,10 +121,10 @@ fix motion loose nve/sphere
 
 // Of one batch.
 constexpr const char* reading =
-    R"(read_data feed/${batch}.data add append shift 0 0 ${up} group fresh
+    R"(group fresh clear
+read_data feed/${batch}.data add append shift 0 0 ${up} group fresh
 group loose type 1
 velocity fresh set NULL NULL v_fall units box
-group fresh clear
 )";
 
 // How far the next batch is shifted up.
@@ -248,28 +248,42 @@ variable restless equal c_kinetic/((count(loose)+(count(loose)==0))*{unit:.17g})
 variable heap atom (c_touching>1)*((vx*vx+vy*vy+vz*vz)<{slow:.17g})*(z+c_radius+{two_d:.17g})
 variable any atom z+c_radius+{room:.17g}
 compute top loose reduce max v_heap v_any
+# Of a batch that has just been read: whether one of it lies within another grain and is pushed aside. Contacts cannot be asked: their
+# list is not made anew at a step at which it was made before.
+group fresh subtract all all
+variable pushed atom (fx*fx+fy*fy)>0
+compute within fresh reduce max v_pushed
+variable higher atom z+v_pushed*{step:.17g}*random(0.5,1.5,15485863)
 thermo 2000
 variable present equal {present}
-thermo_style custom step v_present c_kinetic c_top[1] c_top[2]
+thermo_style custom step v_present c_kinetic c_top[1] c_top[2] c_within
 # What falls below the base or flies off is gone.
 thermo_modify lost ignore flush yes
 )",
                        fmt::arg("unit", energy_unit(s)), fmt::arg("slow", 0.25 * s.gravity * s.d),
                        fmt::arg("two_d", 2.0 * s.d), fmt::arg("room", 0.6 * s.d),
-                       fmt::arg("present", present));
+                       fmt::arg("step", 0.1 * s.d), fmt::arg("present", present));
 }
 
 std::string pile_feed_loop(const PileSetup& s, std::size_t batches, const std::string& read) {
     return fmt::format(R"(
 # The feed: batch k is read at the k-th step of feed-steps.txt, shifted up where the heap has grown to within 2 d of it,
-# and down again only when it meets none of those read before.
+# and down again only when it meets none of those read before. A grain that would appear within another, as within one that bounced up
+# to here, goes up until it is clear.
 variable up string 0
 variable batch loop {n}
 variable due file feed-steps.txt
 label feed
 run ${{due}} upto post no
 {shift}
-{read}if "${{batch}} < {n}" then "next due"
+{read}label within
+run 0 post no
+variable within_now equal c_within
+if "${{within_now}} <= 0" then "jump SELF clear"
+set group fresh z v_higher
+jump SELF within
+label clear
+if "${{batch}} < {n}" then "next due"
 next batch
 jump SELF feed
 )",

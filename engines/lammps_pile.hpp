@@ -22,7 +22,8 @@ std::vector<std::string> lammps_like_deck_command(const std::string& program, in
                                                   const std::string& log);
 
 // What LAMMPS and LIGGGHTS have in common: what the loops of the feed and of rest ask (`present`: the grains that progress counts), and
-// that of the feed, in which `reading` reads feed/${batch}.data, ${up} higher than it says, into the group `fresh`.
+// that of the feed, in which `reading` reads feed/${batch}.data, ${up} higher than it says, into the group `fresh`, where those that lie
+// within others go up until they are clear.
 std::string pile_questions(const rigs::PileSetup&, const std::string& present);
 std::string pile_feed_loop(const rigs::PileSetup&, std::size_t batches, const std::string& reading);
 

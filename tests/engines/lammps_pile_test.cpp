@@ -286,6 +286,42 @@ TEST_CASE("lammps pile: a heap on a flat base comes back whole, and the lost are
     }
 }
 
+// A glued grain hangs where the first one is to appear, 0.3 d off its centre; without the loop the two would lie 0.7 d deep in one another.
+TEST_CASE("lammps pile: no grain is fed into another", "[engines][lammps][pile]") {
+    if (!engines::find_program("lmp")) return;
+    const rigs::PileSetup s = small_setup("glued_grains", "", 1);
+    engines::Deck deck = engines::lammps_pile(s);
+    const std::string look =
+        "write_dump all custom fed.dump id x y z radius modify format float %.17g\n";
+    const std::string clear = "label clear\n";
+    deck.deck.insert(deck.deck.find(clear) + clear.size(), look);
+    const std::size_t glued = engines::glued_grains(s).size();
+    std::string& base = deck.files.front().second;
+    REQUIRE(deck.files.front().first == "base.data");
+    const std::string count = std::to_string(glued) + " atoms";
+    REQUIRE(base.find(count) != std::string::npos);
+    base.replace(base.find(count), count.size(), std::to_string(glued + 1) + " atoms");
+    base += std::to_string(glued + 1) + " 2 " + std::to_string(s.feed_x[0]) + ' ' +
+            std::to_string(s.feed_y[0] + 0.1 * s.d) + ' ' +
+            std::to_string(s.conditions.drop_height + s.radius[0] + 0.28 * s.d) + ' ' +
+            std::to_string(s.d) + " 2500 0\n";
+    const Scratch folder("lammps-pile-within");
+    engines::write_deck(deck, folder.path);
+    engines::run_pile(*engines::find_peer("lammps"), "lmp", s, folder.path, 1);
+    const auto frames = engines::read_lammps_frames(folder.path / "fed.dump");
+    const engines::LammpsFrame& f = frames.front();
+    REQUIRE(f.rows.size() == glued + 2);
+    const std::vector<double>& fed = f.rows.back();
+    for (std::size_t k = 0; k + 1 < f.rows.size(); ++k) {
+        double square = 0.0;
+        for (const std::size_t axis : {1, 2, 3})
+            square += (fed[axis] - f.rows[k][axis]) * (fed[axis] - f.rows[k][axis]);
+        CHECK(std::sqrt(square) >= fed[4] + f.rows[k][4]);
+    }
+    CHECK(fed[3] <
+          s.conditions.drop_height + s.radius[0] + 2.0 * s.d);  // and no higher than need be
+}
+
 TEST_CASE("lammps pile: what an earlier run left in the folder is gone",
           "[engines][lammps][pile]") {
     const Scratch folder("lammps-pile-earlier");
