@@ -89,7 +89,7 @@ ExperimentRun pile_run(const PileTask& task) {
     run.dumps = outcome.dumps;
     run.frames = outcome.frames;
     if (!outcome.record) return run;
-    write_pile(task.folder, task.id, *outcome.record);
+    run.tables = write_pile(task.folder, task.id, *outcome.record);
     run.section = reports::pile_section(task.id, *outcome.record);
     run.result = reports::to_json(*outcome.record);
     run.forget = [task] { forget(task); };
@@ -111,10 +111,11 @@ ExperimentRun drop_run(const Experiment& e, const rigs::DropSetup& setup,
                                         ? rigs::run_drop(setup, recording->values("t"))
                                         : rigs::run_drop(setup);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    cases::write_csv((folder / (e.id + ".csv")).string(),
-                     {{"t", "s", record.t}, {"z", "m", record.z}, {"x", "m", record.x}});
-    return {e.id, "drop", seconds.count(), reports::drop_section(e.id, record, recording),
-            reports::to_json(record)};
+    ExperimentRun run{e.id, "drop", seconds.count(), reports::drop_section(e.id, record, recording),
+                      reports::to_json(record)};
+    run.tables = {{e.id, {{"t", "s", record.t}, {"z", "m", record.z}, {"x", "m", record.x}}}};
+    cases::write_csv((folder / (e.id + ".csv")).string(), run.tables.front().columns);
+    return run;
 }
 
 // Of the rigs with a forward model and no runner of their own.
@@ -125,11 +126,13 @@ ExperimentRun curves_run(const Experiment& e, const rigs::World& world,
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     cases::write_csv((folder / (e.id + ".csv")).string(), columns);
     const cases::Recording* recording = e.recording ? &*e.recording : nullptr;
-    return {e.id,
-            e.rig,
-            seconds.count(),
-            reports::curves_section(e.id, columns, recording),
-            {{"rows", columns.front().values.size()}}};
+    ExperimentRun run{e.id,
+                      e.rig,
+                      seconds.count(),
+                      reports::curves_section(e.id, columns, recording),
+                      {{"rows", columns.front().values.size()}}};
+    run.tables = {{e.id, columns}};
+    return run;
 }
 
 bool has_curves(const Experiment& e) {
@@ -138,20 +141,25 @@ bool has_curves(const Experiment& e) {
 
 }  // namespace
 
-EngineChoice engine_choice(const std::string& engine, int ranks, const std::string& contact) {
-    const auto one_of = [](const char* option, const std::string& got,
-                           const std::vector<std::string>& known) {
-        if (std::find(known.begin(), known.end(), got) != known.end()) return;
+EngineChoice engine_choice(const std::string& engine, int ranks, const std::string& contact,
+                           const EngineNames& names) {
+    const auto one_of = [&](const char* option, const std::string& got,
+                            const std::vector<std::string>& known,
+                            const std::vector<std::string>& elsewhere) {
+        const auto in = [&](const std::vector<std::string>& list) {
+            return std::find(list.begin(), list.end(), got) != list.end();
+        };
+        if (in(known)) return;
         std::string list;
         for (const std::string& name : known)
             list += (list.empty() ? "" : name == known.back() ? " or " : ", ") + name;
-        throw InvalidInput(mistake(option, cases::in_quotes(got), "must be " + list,
-                                   cases::suggestion(got, known)));
+        throw InvalidInput(
+            mistake(option, cases::in_quotes(got), "must be " + list,
+                    in(elsewhere) ? names.otherwise : cases::suggestion(got, known)));
     };
-    std::vector<std::string> names{"dem_min"};
-    for (const engines::Peer& peer : engines::peers()) names.push_back(peer.name);
-    one_of("--engine", engine, names);
-    one_of("--contact", contact, {"own", "lammps", "nearest"});
+    const EngineNames all;
+    one_of("--engine", engine, names.engines, all.engines);
+    one_of("--contact", contact, names.contacts, all.contacts);
     EngineChoice choice;
     choice.peer = engines::find_peer(engine);
     choice.lammps_rules = contact == "lammps";
@@ -162,10 +170,15 @@ EngineChoice engine_choice(const std::string& engine, int ranks, const std::stri
     if (ranks < 0)
         throw InvalidInput(
             mistake("--ranks", std::to_string(ranks), "must be > 0", "1 is the default"));
-    if (ranks != 0 && (choice.peer == nullptr || !choice.peer->ranks))
+    if (ranks != 0 && (choice.peer == nullptr || !choice.peer->ranks)) {
+        std::string parallel;
+        for (const std::string& name : names.engines)
+            if (const engines::Peer* peer = engines::find_peer(name); peer && peer->ranks)
+                parallel += (parallel.empty() ? "" : " or ") + name;
         throw InvalidInput(mistake("--ranks", std::to_string(ranks),
-                                   "must go with --engine lammps or liggghts, which run under MPI",
+                                   "must go with --engine " + parallel + ", under MPI",
                                    "leave it out; the core takes --threads"));
+    }
     choice.ranks = ranks == 0 ? 1 : ranks;
     return choice;
 }

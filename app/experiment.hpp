@@ -6,6 +6,7 @@
 #include "app/dump.hpp"
 #include "cases/case.hpp"
 #include "engines/peer.hpp"
+#include "reports/run_sheets.hpp"
 #include "reports/runs.hpp"
 #include "rigs/pile.hpp"
 
@@ -24,9 +25,10 @@ struct ExperimentRun {
     double seconds;
     std::optional<reports::RunSection> section;  // none where interrupted
     reports::Json result;
-    std::vector<std::filesystem::path> dumps{};  // to open, one a format
-    std::size_t frames = 0;                      // in each of them
-    std::function<void()> forget = [] {};        // once all results are on disk: the checkpoint
+    std::vector<std::filesystem::path> dumps{};   // to open, one a format
+    std::size_t frames = 0;                       // in each of them
+    std::vector<reports::ChannelTable> tables{};  // as the CSV files have them
+    std::function<void()> forget = [] {};         // once all results are on disk: the checkpoint
 };
 
 // Who runs an experiment, and by which contact rules.
@@ -37,8 +39,16 @@ struct EngineChoice {
     bool nearest = false;                 // the peer's nearest law where it has not the case's
 };
 
+// What a verb's --engine and --contact take, and what to say of a name that only other verbs take.
+struct EngineNames {
+    std::vector<std::string> engines{"dem_min", "lammps", "liggghts", "yade"};
+    std::vector<std::string> contacts{"own", "lammps", "nearest"};
+    std::string otherwise{};
+};
+
 // From --engine, --ranks (0 where not given) and --contact. Throws scaling::InvalidInput.
-EngineChoice engine_choice(const std::string& engine, int ranks, const std::string& contact);
+EngineChoice engine_choice(const std::string& engine, int ranks, const std::string& contact,
+                           const EngineNames& = {});
 
 // The setup of a pile of the case as it is run: counted_setup, under the rules chosen. Throws scaling::InvalidInput.
 rigs::PileSetup chosen_setup(const cases::Case&, const cases::Experiment&, std::uint64_t seed,

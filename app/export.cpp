@@ -6,8 +6,9 @@
 #include "app/lammps_cost.hpp"
 #include "cases/messages.hpp"
 #include "cases/read_case.hpp"
+#include "engines/lammps_pull_off.hpp"
+#include "engines/lammps_rules.hpp"
 #include "engines/nearest.hpp"
-#include "engines/one_throw.hpp"
 #include "engines/process.hpp"
 #include "reports/numbers.hpp"
 #include "rigs/forward.hpp"
@@ -28,15 +29,18 @@ using scaling::mistake;
 
 struct ExportOptions {
     std::string path, experiment, engine, out = "out", contact, submit;
+    std::string lammps_release;  // 2021 where it is left out
     std::uint64_t seed = 1;
     int ranks = 0;
 };
 
 constexpr const char* examples = R"(Examples:
   similitude export my-powder --engine lammps --out runs/deck --seed 3
-      deck.in and its data files for every pile, drop, incline and impact, each in runs/deck/ID-lammps
+      deck.in and its data files for every pile, drop, incline, impact and pull_off, each in runs/deck/ID-lammps
   similitude export my-powder --engine lammps --out runs/deck --submit slurm --ranks 32
       and job.sh beside each deck: sbatch job.sh
+  similitude export my-powder --engine lammps --lammps-release later
+      the syntax of the current LAMMPS manual, which nobody has run
   similitude export my-powder --engine yade --contact nearest
       a script for Yade, with DMT in place of JKR; how far off that is goes to stderr)";
 
@@ -59,23 +63,34 @@ set -eu
 struct Exported {
     std::string id;
     engines::Deck deck;
-    std::optional<LammpsCost> cost{};      // of a pile in LAMMPS
-    std::vector<std::string> off_by = {};  // of a pile in the nearest law
+    std::optional<LammpsCost> cost{};    // of a pile in LAMMPS
+    std::vector<std::string> said = {};  // how far off it is, and what is untested
 };
 
 constexpr int hours_unknown = 24;  // to ask for where no cost was measured
 
 Exported exported(const cases::Case& c, const cases::Experiment& e, const ExportOptions& o,
-                  const EngineChoice& choice) {
+                  const EngineChoice& choice, engines::LammpsRelease release) {
     const engines::Peer& peer = *choice.peer;
-    const engines::DeckOptions options{.nearest = choice.nearest};
-    if (e.rig != "pile") return {e.id, peer.one_grain(c, e, rigs::ordinates_of(e), options)};
+    const engines::DeckOptions options{.nearest = choice.nearest, .lammps = release};
+    const auto warn = [&](Exported& made, bool adhesive) {
+        const std::string said = engines::untested(options, adhesive);
+        if (!said.empty()) made.said.push_back(e.id + ": " + said);
+    };
+    if (e.rig != "pile") {
+        Exported made{e.id, peer.one_grain(c, e, rigs::ordinates_of(e), options)};
+        warn(made, false);
+        const std::string tear_off = e.rig == "pull_off" ? engines::tear_off_note(c, e) : "";
+        if (!tear_off.empty()) made.said.push_back(e.id + ": " + tear_off);
+        return made;
+    }
     const rigs::PileSetup setup = chosen_setup(c, e, o.seed, true, choice);
     Exported made{e.id, peer.pile(setup, options)};
     if (peer.name == "lammps") made.cost = lammps_cost(setup, choice.ranks);
+    warn(made, setup.grains.work_of_adhesion > 0.0);
     if (choice.nearest)
-        made.off_by = engines::how_far_off(peer, engines::program_of(peer), setup,
-                                           std::filesystem::path(o.out) / "nearest");
+        made.said = engines::how_far_off(peer, engines::program_of(peer), setup,
+                                         std::filesystem::path(o.out) / "nearest");
     return made;
 }
 
@@ -87,8 +102,17 @@ std::string estimate_text(const LammpsCost& cost, int ranks) {
         reports::quantity(cost.seconds, "s"), ranks, ranks == 1 ? "" : "s");
 }
 
-bool has_deck(const cases::Experiment& e) {
-    return e.rig == "pile" || engines::has_one_grain_deck(e);
+engines::LammpsRelease release_of(const ExportOptions& o) {
+    if (o.lammps_release.empty()) return engines::LammpsRelease::of_2021;
+    if (o.engine != "lammps")
+        throw InvalidInput(mistake("--lammps-release", "with --engine " + o.engine,
+                                   "must go with --engine lammps", "leave it out"));
+    if (o.lammps_release != "2021" && o.lammps_release != "later")
+        throw InvalidInput(mistake("--lammps-release", cases::in_quotes(o.lammps_release),
+                                   "must be 2021 or later",
+                                   "2021 is the release of 29 Sep 2021, which Debian 12 has"));
+    return o.lammps_release == "later" ? engines::LammpsRelease::later
+                                       : engines::LammpsRelease::of_2021;
 }
 
 int run(const ExportOptions& o) {
@@ -96,28 +120,29 @@ int run(const ExportOptions& o) {
     if (!o.submit.empty() && o.submit != "slurm")
         throw InvalidInput(mistake("--submit", cases::in_quotes(o.submit), "must be slurm",
                                    "leave it out and start the deck yourself"));
-    const EngineChoice choice = engine_choice(o.engine, o.ranks,
-                                              !o.contact.empty()     ? o.contact
-                                              : o.engine == "lammps" ? "lammps"
-                                                                     : "own");
-    if (choice.peer == nullptr)
-        throw InvalidInput(mistake("--engine", cases::in_quotes(o.engine), "must be another engine",
-                                   "simulate runs dem_min"));
+    const std::string contact = !o.contact.empty()     ? o.contact
+                                : o.engine == "lammps" ? "lammps"
+                                                       : "own";
+    const EngineChoice choice =
+        engine_choice(o.engine, o.ranks, contact,
+                      {.engines = {"lammps", "liggghts", "yade"},
+                       .otherwise = "simulate runs our own core, under the rules own or lammps"});
     const engines::Peer& peer = *choice.peer;
+    const engines::LammpsRelease release = release_of(o);
     std::vector<std::string> ids;
     std::vector<Exported> decks;
     for (const cases::Experiment& e : c.experiments) {
-        if (!has_deck(e)) continue;
+        if (!engines::has_deck(peer, e)) continue;
         ids.push_back(e.id);
         if (!o.experiment.empty() && e.id != o.experiment) continue;
-        decks.push_back(exported(c, e, o, choice));
+        decks.push_back(exported(c, e, o, choice, release));
     }
     if (decks.empty())
-        throw InvalidInput(
-            mistake("--experiment", o.experiment.empty() ? "none" : cases::in_quotes(o.experiment),
-                    "must be a pile, drop, incline or impact of the case",
-                    ids.empty() ? "this case has none" : cases::suggestion(o.experiment, ids)));
-    for (const auto& [id, deck, cost, off_by] : decks) {
+        throw InvalidInput(mistake(
+            "--experiment", o.experiment.empty() ? "none" : cases::in_quotes(o.experiment),
+            "must be a pile, drop, incline or impact of the case, in LAMMPS also a pull_off",
+            ids.empty() ? "this case has none" : cases::suggestion(o.experiment, ids)));
+    for (const auto& [id, deck, cost, said] : decks) {
         const std::filesystem::path folder = std::filesystem::path(o.out) / (id + "-" + peer.name);
         engines::write_deck(deck, folder);
         if (!o.submit.empty())
@@ -126,7 +151,7 @@ int run(const ExportOptions& o) {
                                     cost ? hours_to_ask_for(*cost) : hours_unknown));
         fmt::print("{}\n", (folder / deck.name).string());
         if (cost) fmt::print(stderr, "{}\n", estimate_text(*cost, choice.ranks));
-        for (const std::string& said : off_by) fmt::print(stderr, "similitude: {}\n", said);
+        for (const std::string& sentence : said) fmt::print(stderr, "similitude: {}\n", sentence);
     }
     return fine;
 }
@@ -152,6 +177,10 @@ Verb export_verb(CLI::App& app, const std::string&) {
                      "contact rules: own, lammps (those that LAMMPS has; for it the default), or "
                      "nearest (where the engine has not the case's law)")
         ->type_name("RULES");
+    verb->add_option("--lammps-release", options->lammps_release,
+                     "2021 (29 Sep 2021, which decks are run with; the default), or later: in the "
+                     "current manual's syntax, untested")
+        ->type_name("RELEASE");
     verb->add_option("--ranks", options->ranks, "MPI ranks that the script asks for; 1 by default")
         ->type_name("N");
     verb->add_option("--submit", options->submit, "slurm: write job.sh beside the deck")

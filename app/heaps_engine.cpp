@@ -2,7 +2,6 @@
 #include "app/heaps_engine.hpp"
 
 #include "engines/lammps_piles.hpp"
-#include "scaling/errors.hpp"
 
 #include <CLI/CLI.hpp>
 
@@ -22,16 +21,10 @@ void add_heaps_engine(CLI::App& verb, HeapsEngine& o) {
 }
 
 EngineChoice choice_of(const HeapsEngine& o) {
-    const EngineChoice choice = engine_choice(o.engine, o.ranks, o.contact);
-    if (choice.peer != nullptr && choice.peer->name != "lammps")
-        throw scaling::InvalidInput(scaling::mistake("--engine", choice.peer->name,
-                                                     "must be dem_min or lammps to run many heaps",
-                                                     "simulate runs single ones"));
-    if (choice.nearest)
-        throw scaling::InvalidInput(scaling::mistake("--contact", "nearest",
-                                                     "must be own or lammps to run many heaps",
-                                                     "LAMMPS has the laws of --contact lammps"));
-    return choice;
+    return engine_choice(o.engine, o.ranks, o.contact,
+                         {{"dem_min", "lammps"},
+                          {"own", "lammps"},
+                          "to run many heaps; simulate runs single ones, in other engines, too"});
 }
 
 std::unique_ptr<rigs::PileEngine> engine_of(const EngineChoice& choice,

@@ -39,7 +39,7 @@ LammpsBase simulate_base_in_lammps(
     double step = std::numeric_limits<double>::infinity();
     for (Experiment& e : c.experiments) {
         if (e.held_out || !e.recording) continue;
-        if (!engines::has_one_grain_deck(e)) {
+        if (!engines::is_thrown(e)) {
             add(run_here, fmt::format("{} ({})", e.id, e.rig));
             continue;
         }
@@ -51,7 +51,7 @@ LammpsBase simulate_base_in_lammps(
         add(run_there, e.id);
     }
     if (to_run.empty())
-        refuse("has a deck for the rigs drop, incline and impact, and no such recording is fitted",
+        refuse("runs drops, inclines and impacts as a base, and no such recording is fitted",
                "leave the option out: this tool's own model is the base");
     if (!c.model.numerics.time_step) step /= finer;
     c.model.numerics.time_step = scaling::Time::from_value(step);
@@ -73,7 +73,7 @@ LammpsBase simulate_base_in_lammps(
                     release, cases::format_si(step, "s")));
     if (!run_here.empty())
         base.statements.push_back(fmt::format(
-            "LAMMPS has no deck for {}: there the base simulation is this tool's own.", run_here));
+            "The base simulation of {} is this tool's own: LAMMPS lets go before JKR's fold.", run_here));
     return base;
 }
 

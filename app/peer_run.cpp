@@ -86,7 +86,7 @@ ExperimentRun pile_in_peer(const PileTask& task, const EngineChoice& choice) {
     if (result.end) {
         rigs::PileRecord& record = result.end->record;
         for (std::string& said : off) record.notes.push_back(std::move(said));
-        write_pile(task.folder, task.id, record);
+        run.tables = write_pile(task.folder, task.id, record);
         run.section = reports::pile_section(task.id, record);
         run.result = reports::to_json(record);
     }
@@ -105,7 +105,12 @@ ExperimentRun curves_in_peer(const Case& c, const Experiment& e, const std::file
     if (!result.interrupted) {
         const std::vector<cases::Column> columns = curve_columns(e, result.curves, at);
         cases::write_csv((where / (e.id + ".csv")).string(), columns);
+        run.tables = {{e.id, columns}};
         run.section = reports::curves_section(e.id, columns, e.recording ? &*e.recording : nullptr);
+        if (!result.note.empty()) {
+            run.section->notes.push_back(result.note);
+            run.result["note"] = result.note;
+        }
     }
     run.result["engine"] =
         engine_json(peer, result.release, 1, result.command, folder, result.deck);
@@ -114,8 +119,9 @@ ExperimentRun curves_in_peer(const Case& c, const Experiment& e, const std::file
 
 }  // namespace
 
-void write_pile(const std::filesystem::path& folder, const std::string& id,
-                const rigs::PileRecord& record) {
+std::vector<reports::ChannelTable> write_pile(const std::filesystem::path& folder,
+                                              const std::string& id,
+                                              const rigs::PileRecord& record) {
     const rigs::HeightMap map = rigs::scan(record.heap);
     cases::Column azimuth{"azimuth", "rad"}, r{"r", "m"}, z{"z", "m"};
     for (std::size_t k = 0; k < map.azimuths; ++k) {
@@ -125,7 +131,7 @@ void write_pile(const std::filesystem::path& folder, const std::string& id,
             z.values.push_back(map.z[k * map.rings + i]);
         }
     }
-    cases::write_csv((folder / (id + ".csv")).string(), {azimuth, r, z});
+    std::vector<reports::ChannelTable> tables{{id, {azimuth, r, z}}};
 
     cases::Column x{"x", "m"}, y{"y", "m"}, height{"z", "m"}, radius{"radius", "m"};
     for (const contact::Vec3& p : record.heap.centre) {
@@ -134,7 +140,10 @@ void write_pile(const std::filesystem::path& folder, const std::string& id,
         height.values.push_back(p.z);
     }
     radius.values = record.heap.radius;
-    cases::write_csv((folder / (id + "-grains.csv")).string(), {x, y, height, radius});
+    tables.push_back({id + "-grains", {x, y, height, radius}});
+    for (const reports::ChannelTable& table : tables)
+        cases::write_csv((folder / (table.name + ".csv")).string(), table.columns);
+    return tables;
 }
 
 std::function<ExperimentRun()> prepared_pile_in_peer(const PileTask& task, const CommonOptions& o,

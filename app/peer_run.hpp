@@ -7,6 +7,8 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace app {
 
@@ -16,8 +18,8 @@ std::function<ExperimentRun()> prepared_pile_in_peer(const PileTask&, const Comm
 std::function<ExperimentRun()> prepared_in_peer(const cases::Case&, const cases::Experiment&,
                                                 const CommonOptions&, const RunPlace&);
 
-// ID.csv with the scanned heap and ID-grains.csv.
-void write_pile(const std::filesystem::path& folder, const std::string& id,
-                const rigs::PileRecord&);
+// ID.csv with the scanned heap and ID-grains.csv; returns what stands in them.
+std::vector<reports::ChannelTable> write_pile(const std::filesystem::path& folder,
+                                              const std::string& id, const rigs::PileRecord&);
 
 }  // namespace app

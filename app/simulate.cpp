@@ -44,6 +44,8 @@ constexpr const char* examples = R"(Examples:
       go on after an interrupt (Ctrl-C writes a checkpoint)
   similitude simulate my-powder --dump vtp,lammps --dump-every "5 ms"
       frames for ParaView (out/ID.pvd), OVITO and LAMMPS (out/ID.lammpstrj)
+  similitude simulate my-powder --xlsx runs.xlsx
+      a workbook as well: what was measured with its units, and every channel
   similitude simulate my-powder --experiment heap --engine lammps --ranks 2 --contact lammps
       the same feed in LAMMPS; its deck and log stay in out/heap-lammps; liggghts and yade likewise)";
 
@@ -130,6 +132,13 @@ std::vector<reports::RunSection> sections_of(const std::vector<ExperimentRun>& r
     return sections;
 }
 
+std::vector<reports::ChannelTable> tables_of(const std::vector<ExperimentRun>& runs) {
+    std::vector<reports::ChannelTable> tables;
+    for (const ExperimentRun& run : runs)
+        tables.insert(tables.end(), run.tables.begin(), run.tables.end());
+    return tables;
+}
+
 RunPlace place_of(const SimulateOptions& o) {
     const double wall =
         cases::quantity<scaling::Time>(o.checkpoint_every, "--checkpoint-every").value();
@@ -174,6 +183,8 @@ int run(const SimulateOptions& o, const std::string& command) {
     who.threads = threads_of(o.common);
     const reports::Json json = json_of(c, o, runs, who);
     write_file((std::filesystem::path(o.out) / "run.json").string(), reports::text_of(json));
+    if (!o.common.xlsx.empty())
+        reports::write_workbook(o.common.xlsx, reports::sheets_of_runs(json, tables_of(runs)));
     write_results(o.common, json, [&] { return reports::page_of(c, sections_of(runs), who); });
     for (const ExperimentRun& r : runs)
         if (whole) r.forget();
@@ -209,8 +220,9 @@ Verb simulate_verb(CLI::App& app, const std::string& command) {
         "--sleep", options->sleep,
         "leave out regions of a heap that are at rest until something comes: faster, and "
         "not quite the same heap");
-    verb->add_option("--engine", options->engine,
-                     "who runs them: dem_min, or lammps, liggghts or yade (all rigs but pull_off)")
+    verb->add_option(
+            "--engine", options->engine,
+            "who runs them: dem_min, or lammps, liggghts or yade (pull_off: dem_min or lammps)")
         ->type_name("ENGINE")
         ->capture_default_str();
     verb->add_option("--ranks", options->ranks, "MPI ranks of LAMMPS or LIGGGHTS; 1 by default")
@@ -222,6 +234,7 @@ Verb simulate_verb(CLI::App& app, const std::string& command) {
         ->type_name("RULES")
         ->capture_default_str();
     add_common(*verb, options->common);
+    add_workbook(*verb, options->common);
     verb->footer(examples);
     return {verb, [options, command] { return run(*options, command); }};
 }

@@ -2,14 +2,16 @@
 #include "engines/deck.hpp"
 
 #include "engines/lammps_run.hpp"
+#include "engines/peer.hpp"
 #include "scaling/errors.hpp"
 
 namespace engines {
 
 void write_deck(const Deck& d, const std::filesystem::path& folder) {
     std::filesystem::remove_all(folder / "feed");  // batches of a longer feed
-    for (const char* result : {"final.dump", "rows.dump", "log.yade"})
+    for (const char* result : {"final.dump", "final.data", "rows.dump"})
         std::filesystem::remove(folder / result);
+    for (const Peer& peer : peers()) std::filesystem::remove(folder / peer.log);
     std::filesystem::create_directories(folder);
     write_text(folder / d.name, d.deck);
     for (const auto& [name, text] : d.files) {

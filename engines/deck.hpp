@@ -15,13 +15,17 @@ struct Deck {
     std::vector<std::pair<std::string, std::string>> files{};  // name and text, beside it
 };
 
-// Results and batches of an earlier run in the folder go.
+// Results, logs and batches of an earlier run in the folder go: none of them may be taken for this run's.
 void write_deck(const Deck&, const std::filesystem::path& folder);
+
+// The syntax of LAMMPS: of the release that decks are run with, or of the manual's later ones (engines/lammps_rules.hpp).
+enum class LammpsRelease { of_2021, later };
 
 // How a deck is asked for.
 struct DeckOptions {
     std::string option = "--engine";  // that a refusal names
     bool nearest = false;  // where the engine has not the case's law, the nearest that it has
+    LammpsRelease lammps = LammpsRelease::of_2021;
 };
 
 // Throws scaling::InvalidInput: `engine` cannot what `what` says.

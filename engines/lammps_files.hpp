@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What LAMMPS reads and writes: a data file of spheres, and text dumps.
+// What LAMMPS reads and leaves: a data file of spheres, the last grains of a run.
 #pragma once
 
 #include "dem_min/particles.hpp"
@@ -24,19 +24,6 @@ std::string lammps_data(const std::vector<dem_min::Grain>&, const Box&, int type
 // How a deck of a few spheres begins: start.data, one set of `rules` (what follows `pair_coeff * *`), margin of the list in m, step in s.
 // LAMMPS' defaults must not throw away a deck's grains (newton on, communication of velocities) nor thin its list.
 std::string opening_of_few(double skin, const std::string& rules, double time_step);
-
-// One frame of a dump; rows in the order of ids where the deck says `dump_modify sort id`.
-struct LammpsFrame {
-    std::int64_t step;
-    std::vector<std::string> columns;
-    std::vector<std::vector<double>> rows;  // shape [grains][columns]
-
-    // Throws std::runtime_error naming the column that is not there.
-    std::size_t column(const std::string& name) const;
-};
-
-// Throws std::runtime_error naming `name` and the frame where the text is no whole dump.
-std::vector<LammpsFrame> read_lammps_dump(const std::string& text, const std::string& name);
 
 // The grains of `final.dump` in `folder`, one frame of `id type x y z vx vy vz omegax omegay omegaz radius` and what else: fixed is what has v_glued 1, or type 2 where there is no such column. Shape of
 // `extra`: [grains], the column of that name, where it is asked for. Throws std::runtime_error.

@@ -2,7 +2,8 @@
 #include "engines/lammps_one_grain.hpp"
 
 #include "engines/lammps_files.hpp"
-#include "engines/lammps_pile.hpp"
+#include "engines/lammps_pull_off.hpp"
+#include "engines/lammps_rules.hpp"
 
 #include <fmt/format.h>
 
@@ -40,14 +41,16 @@ double lammps_time_step(const cases::Case& c, const cases::Experiment& e) {
 
 Deck lammps_one_grain(const cases::Case& c, const cases::Experiment& e, const rigs::Ordinates& at,
                       const DeckOptions& options) {
+    if (e.rig == "pull_off") return lammps_pull_off(c, e, at, options);
     const Throw t(c, e, at, options, "lammps");
     const rigs::ContactParameters contact = t.contact();
     refuse_restitution(contact.restitution, options);
-    const std::string rules = granular_arguments(contact);
+    // Nothing adheres here: no dashpot is fitted to a pair.
+    const std::string rules = granular_arguments(contact, options, {});
     std::string deck = fmt::format(
-        "# The rig {} of similitude in LAMMPS, release of 29 Sep 2021: lmp -in deck.in. SI units; "
-        "the plate is z = 0.\n# One run: the dashpot of a wall changes with every further one.\n",
-        t.rig());
+        "# The rig {} of similitude in LAMMPS: lmp -in deck.in. SI units; the plate is z = 0.\n{}"
+        "# One run: in the release of 2021 the dashpot of a wall changes with every further one.\n",
+        t.rig(), release_line(options));
     deck += opening_of_few(t.radius(), rules, t.time_step());
     deck += fmt::format(
         "fix plate all wall/gran granular {} zplane 0.0 NULL\nfix motion all nve/sphere\n", rules);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rigs `drop`, `incline` and `impact` in LAMMPS (docs/export.md). One run of a deck, so that the wall damps as it is told to.
+// The rigs `drop`, `incline`, `impact` and, by lammps_pull_off.hpp, `pull_off` in LAMMPS (docs/export.md). One run of a deck, so that the wall damps as it is told to.
 // Written for the release of 29 September 2021.
 #pragma once
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engines/lammps_pile.hpp"
 
-#include "engines/bed_lammps.hpp"
+#include "engines/lammps_rules.hpp"
 #include "engines/pile_feed.hpp"
 #include "engines/process.hpp"
 
@@ -15,11 +15,13 @@ namespace {
 using dem_min::Grain;
 using rigs::PileSetup;
 
-constexpr double most_damping = 0.12;  // e below which the polynomial of `tsuji` ends
-
 bool is_flat(const PileSetup& s) { return s.conditions.base == rigs::Base::flat; }
 
 bool sticky(const rigs::ContactParameters& c) { return c.work_of_adhesion > 0.0; }
+
+NominalPair nominal_pair(const PileSetup& s) {
+    return {0.25 * s.d, 0.5 * energy_unit(s) / (s.gravity * s.d)};
+}
 
 void refuse_what_lammps_has_not(const PileSetup& s, const DeckOptions& o) {
     if (o.nearest)
@@ -74,18 +76,19 @@ group loose empty
 neigh_modify delay 0 every 1 check yes exclude group parked all)";
 
 // A disc of a thousandth of a d: its edge is where a grain falls off.
-std::string plate(const PileSetup& s) {
+std::string plate(const PileSetup& s, const DeckOptions& o) {
     return fmt::format(R"(region base cylinder z 0 0 {:.17g} {:.17g} 0 side out units box
 fix plate loose wall/gran/region granular {} region base)",
-                       0.5 * s.conditions.base_diameter, -1e-3 * s.d, granular_arguments(s.walls));
+                       0.5 * s.conditions.base_diameter, -1e-3 * s.d,
+                       granular_arguments(s.walls, o, nominal_pair(s)));
 }
 
-std::string head(const PileSetup& s) {
+std::string head(const PileSetup& s, const DeckOptions& o) {
     const Box box = pile_box(s);
     // The margin must hold a neck that is stretched: LAMMPS ends it where the list is made anew and has lost the pair.
     return fmt::format(
-        R"(# The rig pile of similitude in LAMMPS, release of 29 Sep 2021: lmp -in deck.in, or mpirun -np N lmp -in deck.in.
-# Loose grains have type 1, glued ones type 2. SI units; the base's top is z = 0.
+        R"(# The rig pile of similitude in LAMMPS: lmp -in deck.in, or mpirun -np N lmp -in deck.in.
+{release}# Loose grains have type 1, glued ones type 2. SI units; the base's top is z = 0.
 units si
 # The charge of a grain is the velocity at which it is fed, m/s, and nothing else.
 atom_style hybrid sphere charge
@@ -109,18 +112,19 @@ fix motion loose nve/sphere
 )",
         fmt::arg("xl", box.low.x), fmt::arg("xh", box.high.x), fmt::arg("yl", box.low.y),
         fmt::arg("yh", box.high.y), fmt::arg("zl", box.low.z), fmt::arg("zh", box.high.z),
-        fmt::arg("skin", 0.4 * s.d), fmt::arg("pair", granular_arguments(s.grains)),
+        fmt::arg("release", release_line(o)), fmt::arg("skin", 0.4 * s.d),
+        fmt::arg("pair", granular_arguments(s.grains, o, nominal_pair(s))),
         fmt::arg("dt", s.time_step), fmt::arg("g", s.gravity),
         fmt::arg("grains", is_flat(s) ? parked_grains : glued_base),
-        fmt::arg("base", is_flat(s) ? plate(s) : frozen));
+        fmt::arg("base", is_flat(s) ? plate(s, o) : frozen));
 }
 
 // Of one batch.
 constexpr const char* reading =
-    R"(read_data feed/${batch}.data add append shift 0 0 ${up} group fresh
+    R"(group fresh clear
+read_data feed/${batch}.data add append shift 0 0 ${up} group fresh
 group loose type 1
 velocity fresh set NULL NULL v_fall units box
-group fresh clear
 )";
 
 // How far the next batch is shifted up.
@@ -215,7 +219,7 @@ constexpr const char* results =
 write_data final.data nocoeff
 )deck";
 
-Deck over_a_plate(const PileSetup& s, const std::vector<FeedBatch>& batches,
+Deck over_a_plate(const PileSetup& s, const DeckOptions& o, const std::vector<FeedBatch>& batches,
                   const std::vector<double>& z, const std::string& steps) {
     const double lift = s.d;
     std::vector<Grain> all;
@@ -225,7 +229,7 @@ Deck over_a_plate(const PileSetup& s, const std::vector<FeedBatch>& batches,
         ids += fmt::format("{}:{}\n", batch.first + 1, batch.last + 1);
     }
     return {"deck.in",
-            head(s) + pile_questions(s, "count(loose)") +
+            head(s, o) + pile_questions(s, "count(loose)") +
                 parked_feed_loop(s, batches.size(), lift) + rest_loop_of_one_run(s) + results,
             {{"grains.data", added_data(all, pile_box(s))},
              {"feed-ids.txt", ids},
@@ -234,60 +238,52 @@ Deck over_a_plate(const PileSetup& s, const std::vector<FeedBatch>& batches,
 
 }  // namespace
 
-std::string granular_arguments(const rigs::ContactParameters& c) {
-    const double e = restitution_to_tell(c.restitution);
-    const double young = 2.0 * c.e_star;
-    std::string text =
-        sticky(c) ? fmt::format("jkr {:.17g} {:.17g} 0 {:.17g}", young, e, 0.5 * c.work_of_adhesion)
-                  : fmt::format("hertz/material {:.17g} {:.17g} 0", young, e);
-    // Tsuji's dashpots go with the root of the stiffness, 2 E* a and 8 G* a.
-    text += fmt::format(" damping tsuji tangential mindlin_rescale {:.17g} {:.17g} {:.17g}",
-                        8.0 * c.g_star, 2.0 * std::sqrt(c.g_star / c.e_star), c.sliding_friction);
-    if (c.rolling_friction > 0.0 && c.as_lammps)
-        text += fmt::format(" rolling sds {:.17g} {:.17g} {:.17g}", c.as_lammps->rolling_stiffness,
-                            c.as_lammps->rolling_damping, c.rolling_friction);
-    if (sticky(c)) text += " twisting marshall";
-    return text;
-}
-
-void refuse_restitution(double restitution, const DeckOptions& o) {
-    if (restitution < most_damping)
-        refuse(o, "lammps", "cannot damp below a restitution of 0.12 (damping tsuji ends there)",
-               "take a higher restitution, or leave the option out");
-}
-
 std::string pile_questions(const PileSetup& s, const std::string& present) {
     return fmt::format(R"(
 compute kinetic loose ke
 compute radius all property/atom radius
 compute touching all contact/atom
 variable restless equal c_kinetic/((count(loose)+(count(loose)==0))*{unit:.17g})
-# Heap: grains that touch another and are slow.
-variable heap atom (c_touching>0)*((vx*vx+vy*vy+vz*vz)<{slow:.17g})*(z+c_radius+{two_d:.17g})
+# Heap: slow grains that touch two others. Two that touch in flight have one contact each.
+variable heap atom (c_touching>1)*((vx*vx+vy*vy+vz*vz)<{slow:.17g})*(z+c_radius+{two_d:.17g})
 variable any atom z+c_radius+{room:.17g}
 compute top loose reduce max v_heap v_any
+# Of a batch that has just been read: whether one of it lies within another grain and is pushed aside. Contacts cannot be asked: their
+# list is not made anew at a step at which it was made before.
+group fresh subtract all all
+variable pushed atom (fx*fx+fy*fy)>0
+compute within fresh reduce max v_pushed
+variable higher atom z+v_pushed*{step:.17g}*random(0.5,1.5,15485863)
 thermo 2000
 variable present equal {present}
-thermo_style custom step v_present c_kinetic c_top[1] c_top[2]
+thermo_style custom step v_present c_kinetic c_top[1] c_top[2] c_within
 # What falls below the base or flies off is gone.
 thermo_modify lost ignore flush yes
 )",
                        fmt::arg("unit", energy_unit(s)), fmt::arg("slow", 0.25 * s.gravity * s.d),
                        fmt::arg("two_d", 2.0 * s.d), fmt::arg("room", 0.6 * s.d),
-                       fmt::arg("present", present));
+                       fmt::arg("step", 0.1 * s.d), fmt::arg("present", present));
 }
 
 std::string pile_feed_loop(const PileSetup& s, std::size_t batches, const std::string& read) {
     return fmt::format(R"(
 # The feed: batch k is read at the k-th step of feed-steps.txt, shifted up where the heap has grown to within 2 d of it,
-# and down again only when it meets none of those read before.
+# and down again only when it meets none of those read before. A grain that would appear within another, as within one that bounced up
+# to here, goes up until it is clear.
 variable up string 0
 variable batch loop {n}
 variable due file feed-steps.txt
 label feed
 run ${{due}} upto post no
 {shift}
-{read}if "${{batch}} < {n}" then "next due"
+{read}label within
+run 0 post no
+variable within_now equal c_within
+if "${{within_now}} <= 0" then "jump SELF clear"
+set group fresh z v_higher
+jump SELF within
+label clear
+if "${{batch}} < {n}" then "next due"
 next batch
 jump SELF feed
 )",
@@ -300,8 +296,9 @@ Deck lammps_pile(const PileSetup& s, const DeckOptions& options) {
     const std::vector<double> z = feed_heights(s, batches);
     std::string steps;
     for (const FeedBatch& batch : batches) steps += fmt::format("{}\n", batch.step);
-    if (is_flat(s)) return over_a_plate(s, batches, z, steps);
-    Deck result{"deck.in", head(s) + pile_questions(s, "count(all)") + "\nvariable fall atom q\n" +
+    if (is_flat(s)) return over_a_plate(s, options, batches, z, steps);
+    Deck result{"deck.in", head(s, options) + pile_questions(s, "count(all)") +
+                               "\nvariable fall atom q\n" +
                                pile_feed_loop(s, batches.size(), reading) + rest_loop(s) + results};
     result.files.emplace_back("base.data", added_data(glued_grains(s), pile_box(s)));
     for (std::size_t k = 0; k < batches.size(); ++k)

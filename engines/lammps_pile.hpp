@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The rig `pile` in LAMMPS: a setup as a deck with its data files (docs/export.md). The deck feeds the grains in small batches; it looks
-// for rest by the rig's own criterion, and leaves the heap in final.dump. Written for the release of 29 September 2021.
+// for rest by the rig's own criterion, and leaves the heap in final.dump. Written for the release of 29 September 2021, or in
+// the syntax of later ones.
 #pragma once
 
 #include "engines/deck.hpp"
@@ -12,15 +13,6 @@
 
 namespace engines {
 
-// What follows `pair_coeff * *`, and `granular` in `fix wall/gran/region`. The moduli are told as E = 2 E* with nu = 0, which
-// gives E* between grains and, by LAMMPS' own rule E/2, at a wall; k_t/a = 8 G* as a number.
-// `tsuji` is told the restitution that gives the case's (restitution_to_tell). A pair has it; a wall of this release does not: its
-// number goes through the polynomial anew whenever a run is set up.
-std::string granular_arguments(const rigs::ContactParameters&);
-
-// Throws scaling::InvalidInput below 0.12: there the polynomial of `tsuji` ends.
-void refuse_restitution(double restitution, const DeckOptions&);
-
 // Throws scaling::InvalidInput for what LAMMPS has not or we have not told it yet: contact rules of our own, rigid friction, a rim,
 // walls that adhere, several materials, a funnel or mesh, sleep, a restitution below 0.12.
 Deck lammps_pile(const rigs::PileSetup&, const DeckOptions& = {});
@@ -30,7 +22,8 @@ std::vector<std::string> lammps_like_deck_command(const std::string& program, in
                                                   const std::string& log);
 
 // What LAMMPS and LIGGGHTS have in common: what the loops of the feed and of rest ask (`present`: the grains that progress counts), and
-// that of the feed, in which `reading` reads feed/${batch}.data, ${up} higher than it says, into the group `fresh`.
+// that of the feed, in which `reading` reads feed/${batch}.data, ${up} higher than it says, into the group `fresh`, where those that lie
+// within others go up until they are clear.
 std::string pile_questions(const rigs::PileSetup&, const std::string& present);
 std::string pile_feed_loop(const rigs::PileSetup&, std::size_t batches, const std::string& reading);
 

@@ -48,6 +48,8 @@ std::string installed_release(const std::filesystem::path& lmp) {
 std::string run_lammps(const std::filesystem::path& lmp, const std::filesystem::path& folder,
                        const std::string& deck, const std::string& data, double limit_s) {
     std::filesystem::create_directories(folder);
+    for (const char* earlier : {"final.dump", "states.dump"})
+        std::filesystem::remove(folder / earlier);
     write_text(folder / "start.data", data);
     write_text(folder / "deck.in", deck);
     const Finished f = run({lmp.string(), "-in", "deck.in", "-log", "none"}, folder, limit_s);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engines/lammps_two_grains.hpp"
 
+#include "engines/lammps_dump.hpp"
 #include "engines/lammps_run.hpp"
 
 #include <fmt/format.h>
@@ -80,8 +81,7 @@ PairStates run_two_grains(const std::filesystem::path& lmp, const TwoGrains& t,
                           const std::string& deck, const std::filesystem::path& folder) {
     run_lammps(lmp, folder, deck, lammps_data({t.grains.begin(), t.grains.end()}, box_around(t), 1),
                time_limit);
-    std::vector<LammpsFrame> frames =
-        read_lammps_dump(file_text(folder / "states.dump"), (folder / "states.dump").string());
+    std::vector<LammpsFrame> frames = read_lammps_frames(folder / "states.dump");
     // The step at which a second run starts is dumped twice.
     const auto same = [](const LammpsFrame& a, const LammpsFrame& b) { return a.step == b.step; };
     frames.erase(std::unique(frames.begin(), frames.end(), same), frames.end());

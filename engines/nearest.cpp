@@ -2,6 +2,7 @@
 #include "engines/nearest.hpp"
 
 #include "contact/jkr.hpp"
+#include "engines/lammps_dump.hpp"
 #include "engines/lammps_files.hpp"
 #include "engines/lammps_run.hpp"
 #include "engines/liggghts_decks.hpp"
@@ -130,7 +131,7 @@ Separation measured_separation(const Peer& peer, const std::filesystem::path& pr
                                              peer.title, f.exit_code, peer.complaint(f.out)));
     const std::string dump = (folder / "rows.dump").string();
     std::vector<double> overlap, force;
-    for (const LammpsFrame& frame : read_lammps_dump(file_text(dump), dump)) {
+    for (const LammpsFrame& frame : read_lammps_frames(dump)) {
         const std::size_t z = frame.column("z"), fz = frame.column("fz");
         overlap.push_back(s.d - (frame.rows.at(1)[z] - frame.rows.at(0)[z]));
         force.push_back(frame.rows[1][fz]);

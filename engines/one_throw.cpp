@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engines/one_throw.hpp"
 
+#include "engines/lammps_pull_off.hpp"
 #include "engines/lammps_run.hpp"
 #include "engines/pile_feed.hpp"
 #include "engines/process.hpp"
@@ -40,7 +41,7 @@ double ringing_period(const OneGrain& g, double depth) {
 
 rigs::World world_of(const cases::Case& c, const cases::Experiment& e, const DeckOptions& o,
                      const std::string& engine) {
-    if (!has_one_grain_deck(e)) refuse(o, engine, "has no deck for the rig " + e.rig, ours);
+    if (!is_thrown(e)) refuse(o, engine, "has no deck for the rig " + e.rig, ours);
     if (c.model.numerics.integrator == "euler")
         refuse(o, engine,
                "takes steps of velocity Verlet, not of Euler (model.numerics.integrator)", ours);
@@ -55,7 +56,7 @@ rigs::World world_of(const cases::Case& c, const cases::Experiment& e, const Dec
 
 }  // namespace
 
-bool has_one_grain_deck(const cases::Experiment& e) {
+bool is_thrown(const cases::Experiment& e) {
     return e.rig == "drop" || e.rig == "incline" || e.rig == "impact";
 }
 
@@ -245,7 +246,6 @@ PeerCurvesRun run_one_grain(const Peer& peer, const std::filesystem::path& progr
                             const cases::Case& c, const cases::Experiment& e,
                             const rigs::Ordinates& at, const std::filesystem::path& folder) {
     const DeckOptions options;
-    const Throw thrown(c, e, at, options, peer.name);
     const Deck deck = peer.one_grain(c, e, at, options);
     write_deck(deck, folder);
     PeerCurvesRun result{};
@@ -261,9 +261,14 @@ PeerCurvesRun run_one_grain(const Peer& peer, const std::filesystem::path& progr
         throw std::runtime_error(fmt::format("{}: {} ended with {}: {}", folder.string(),
                                              peer.title, f.exit_code, peer.complaint(f.out)));
     const std::string dump = (folder / "rows.dump").string();
-    result.curves =
-        thrown.curves(std::filesystem::exists(dump) ? read_lammps_dump(file_text(dump), dump)
-                                                    : std::vector<LammpsFrame>{});
+    const std::vector<LammpsFrame> frames =
+        std::filesystem::exists(dump) ? read_lammps_frames(dump) : std::vector<LammpsFrame>{};
+    if (is_thrown(e)) {
+        result.curves = Throw(c, e, at, options, peer.name).curves(frames);
+    } else {
+        result.curves = pull_off_curves(c, e, at, frames);
+        result.note = tear_off_note(c, e);
+    }
     return result;
 }
 

@@ -4,6 +4,7 @@
 // `id x y z vx vy vz omegax omegay omegaz`: of a drop or an incline at the step before each row, of an impact at the end.
 #pragma once
 
+#include "engines/lammps_dump.hpp"
 #include "engines/lammps_files.hpp"
 #include "engines/peer.hpp"
 #include "rigs/one_grain.hpp"
@@ -55,7 +56,7 @@ class Throw {
 };
 
 // Whether the rig is one of these three.
-bool has_one_grain_deck(const cases::Experiment&);
+bool is_thrown(const cases::Experiment&);
 
 struct PeerCurvesRun {
     std::string release;
@@ -64,9 +65,10 @@ struct PeerCurvesRun {
     std::vector<std::string> command;
     std::string deck;     // its name in the folder
     rigs::Curves curves;  // the rig's channels, [ordinates]; none where interrupted
+    std::string note{};   // where the engine's physics is not the rig's
 };
 
-// Writes the deck into `folder` and runs it there on one rank. Throws std::runtime_error with the engine's error where it fails.
+// Of these rigs, and of `pull_off` where the engine has it. Writes the deck into `folder` and runs it there on one rank. Throws std::runtime_error with the engine's error where it fails.
 PeerCurvesRun run_one_grain(const Peer&, const std::filesystem::path& program, const cases::Case&,
                             const cases::Experiment&, const rigs::Ordinates&,
                             const std::filesystem::path& folder);

@@ -6,6 +6,7 @@
 #include "engines/lammps_run.hpp"
 #include "engines/liggghts_decks.hpp"
 #include "engines/nearest.hpp"
+#include "engines/one_throw.hpp"
 #include "engines/process.hpp"
 #include "engines/yade_decks.hpp"
 #include "scaling/errors.hpp"
@@ -22,6 +23,7 @@ const std::vector<Peer>& peers() {
          .package = "lammps",
          .log = "log.lammps",
          .ranks = true,
+         .jkr = true,
          .pile = lammps_pile,
          .one_grain = lammps_one_grain,
          .apart = nullptr,
@@ -41,6 +43,7 @@ const std::vector<Peer>& peers() {
          .package = "liggghts",
          .log = "log.liggghts",
          .ranks = true,
+         .jkr = false,
          .pile = liggghts_pile,
          .one_grain = liggghts_one_grain,
          .apart = liggghts_apart,
@@ -56,6 +59,7 @@ const std::vector<Peer>& peers() {
          .package = "yade",
          .log = "log.yade",
          .ranks = false,
+         .jkr = false,
          .pile = yade_pile,
          .one_grain = yade_one_grain,
          .apart = yade_apart,
@@ -63,6 +67,10 @@ const std::vector<Peer>& peers() {
          .release = yade_release,
          .complaint = yade_complaint}};
     return all;
+}
+
+bool has_deck(const Peer& peer, const cases::Experiment& e) {
+    return e.rig == "pile" || is_thrown(e) || (peer.jkr && e.rig == "pull_off");
 }
 
 const Peer* find_peer(const std::string& name) {

@@ -20,6 +20,7 @@ struct Peer {
     std::string package;  // of Debian
     std::string log;      // file in the deck's folder that tells what went wrong
     bool ranks;           // runs under MPI
+    bool jkr;             // has it, and so a deck for the rig pull_off
     // Both throw scaling::InvalidInput for what the engine has not or is not told of.
     Deck (*pile)(const rigs::PileSetup&, const DeckOptions&);
     Deck (*one_grain)(const cases::Case&, const cases::Experiment&, const rigs::Ordinates&,
@@ -33,6 +34,9 @@ struct Peer {
 
 // lammps, liggghts, yade.
 const std::vector<Peer>& peers();
+
+// Whether the experiment is of a rig that the engine has a deck for.
+bool has_deck(const Peer&, const cases::Experiment&);
 
 // Null where there is none of that name.
 const Peer* find_peer(const std::string& name);

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Text dumps of LAMMPS and LIGGGHTS (`dump custom`). Source: LAMMPS manual, "dump", "dump_modify" (keywords units, time), "units",
-// "read_dump"; LIGGGHTS' dumps are the same without ITEM: UNITS and ITEM: TIME. Frames follow each other in one file.
+// Grains out of dumps. Source of the columns and units: LAMMPS manual, "dump", "units", "read_dump".
 #include "cases/messages.hpp"
-#include "engines/grain_lines.hpp"
-
-#include <fmt/format.h>
+#include "engines/lammps_dump.hpp"
 
 #include <map>
 
@@ -33,127 +30,59 @@ Slot slot_named(std::string_view name) {
 class LammpsDump : public GrainReader {
   public:
     LammpsDump(Lines lines, const GrainOptions& options)
-        : lines_(std::move(lines)), options_(options) {}
+        : dump_(std::move(lines)), options_(options) {}
 
     GrainFormat format() const override { return GrainFormat::lammps_dump; }
 
     bool next(GrainFrame& f) override {
-        do {
-            if (!lines_.next()) return false;
-        } while (lines_.text().empty());
-        Heading h;
-        read_heading(h);
-        const Table table(columns(), options_, lines_.at());
+        DumpHeading h;
+        if (!dump_.next(h)) return false;
+        take_units(h);
+        const std::string at = dump_.lines().at();
+        const Table table(columns(h), options_, at);
         table.begin(f);
-        f.frame.step = h.step, f.frame.low = h.low, f.frame.high = h.high;
+        f.frame.step = h.step;
+        f.frame.low = units_->length * h.low, f.frame.high = units_->length * h.high;
         f.has_time = h.time.has_value(), f.frame.time = h.time.value_or(0.0) * units_->time;
-        const Table::Where where = [this] { return lines_.at(); };
-        std::vector<std::string_view> words;
+        const Table::Where where = [this] { return dump_.lines().at(); };
         std::vector<double> values(table.columns().size());
         for (std::int64_t k = 0; k < h.grains; ++k) {
-            split_words(lines_.need(fmt::format("frame {} (step {})", frames_, h.step)), words);
-            if (words.size() != values.size())
-                refuse(lines_.at(), fmt::format("{} values", words.size()),
-                       fmt::format("must have one for each of the {} columns", values.size()),
-                       "the file may be cut off, or two programs wrote into it");
+            const std::vector<std::string_view>& words = dump_.row();
             for (std::size_t i = 0; i < words.size(); ++i)
                 if (table.columns()[i].slot != Slot::unused)
-                    values[i] = lines_.number(words[i], table.columns()[i].name);
+                    values[i] = dump_.lines().number(words[i], table.columns()[i].name);
             table.add(f, values, where);
         }
         enclose(f.frame, true);
-        ++frames_;
         return true;
     }
 
   private:
-    struct Heading {
-        std::int64_t step = 0, grains = -1;
-        std::optional<double> time;
-        contact::Vec3 low, high;
-        bool box = false;
-    };
-
-    double single(const std::string& what) {
-        std::vector<std::string_view> words;
-        split_words(lines_.need(what), words);
-        if (words.size() != 1)
-            refuse(lines_.at(), cases::in_quotes(lines_.text()), "must be one number, the " + what,
-                   "the file may be cut off");
-        return lines_.number(words[0], what);
-    }
-
-    void read_box(Heading& h) {
-        const std::string& text = lines_.text();
-        if (text.find("xy") != std::string::npos || text.find("abc") != std::string::npos)
-            refuse(lines_.at(), cases::in_quotes(text), "must be a box with right angles",
-                   "a triclinic box is not read: heaps stand in none");
-        double* const low[] = {&h.low.x, &h.low.y, &h.low.z};
-        double* const high[] = {&h.high.x, &h.high.y, &h.high.z};
-        std::vector<std::string_view> words;
-        for (int k = 0; k < 3; ++k) {
-            split_words(lines_.need("the box"), words);
-            if (words.size() != 2)
-                refuse(lines_.at(), cases::in_quotes(lines_.text()), "must be the box's two bounds",
-                       "the file may be cut off");
-            *low[k] = lines_.number(words[0], "bound"), *high[k] = lines_.number(words[1], "bound");
+    void take_units(const DumpHeading& h) {
+        if (h.units && !(options_.units && options_.units->name == "stated" && *h.units == "lj")) {
+            units_ = units_named(*h.units, dump_.lines().at() + ": units");
+            if (options_.units && options_.units->name != units_->name)
+                refuse(dump_.lines().at(), cases::in_quotes(*h.units),
+                       "must be the stated units, " + options_.units->name,
+                       "leave --units out: the file says them");
         }
-        h.box = true;
-    }
-
-    // Leaves the line with the columns in lines_.
-    void read_heading(Heading& h) {
-        for (;; lines_.need("a frame's heading")) {
-            const std::string text = lines_.text();
-            if (text.starts_with("ITEM: ATOMS")) break;
-            if (text.starts_with("ITEM: TIMESTEP"))
-                h.step = static_cast<std::int64_t>(single("time step"));
-            else if (text.starts_with("ITEM: TIME"))
-                h.time = single("time");
-            else if (text.starts_with("ITEM: NUMBER OF ATOMS"))
-                h.grains = static_cast<std::int64_t>(single("number of grains"));
-            else if (text.starts_with("ITEM: BOX BOUNDS"))
-                read_box(h);
-            else if (text.starts_with("ITEM: UNITS"))
-                take_units();
-            else
-                refuse(lines_.at(), cases::in_quotes(text), "must be a heading of a dump of grains",
-                       "`dump custom` writes them; `dump local` and binary dumps are not read");
-        }
-        if (h.grains < 0 || !h.box)
-            refuse(lines_.at(), "columns without number of grains and box",
-                   "must stand behind both", "the file may be cut off");
         if (!units_) units_ = options_.units;
         if (!units_)
-            refuse(lines_.at(), "no ITEM: UNITS", "must say its units",
+            refuse(dump_.lines().at(), "no ITEM: UNITS", "must say its units",
                    "state --units si, cgs or micro: what the deck's command `units` says");
-        const FileUnits& u = *units_;
-        h.low = u.length * h.low, h.high = u.length * h.high;
     }
 
-    void take_units() {
-        const std::string style = lines_.need("units");
-        if (options_.units && options_.units->name == "stated" && style == "lj") return;
-        units_ = units_named(style, lines_.at() + ": units");
-        if (options_.units && options_.units->name != units_->name)
-            refuse(lines_.at(), cases::in_quotes(style),
-                   "must be the stated units, " + options_.units->name,
-                   "leave --units out: the file says them");
-    }
-
-    std::vector<Column> columns() const {
-        std::vector<std::string_view> words;
-        split_words(std::string_view(lines_.text()).substr(11), words);
+    std::vector<Column> columns(const DumpHeading& h) const {
         std::vector<Column> all;
         const auto has = [&](Slot slot) {
             for (const Column& c : all)
                 if (c.slot == slot) return true;
             return false;
         };
-        for (const std::string_view w : words) {
+        for (const std::string& w : h.columns) {
             Slot slot = slot_named(w);
             if (has(slot)) slot = Slot::unused;  // x and xu: the first holds
-            all.push_back({slot, factor_of(slot, *units_), std::string(w)});
+            all.push_back({slot, factor_of(slot, *units_), w});
         }
         for (Column& c : all)  // told twice over
             if ((c.slot == Slot::diameter && has(Slot::radius)) ||
@@ -162,10 +91,9 @@ class LammpsDump : public GrainReader {
         return all;
     }
 
-    Lines lines_;
+    DumpLines dump_;
     GrainOptions options_;
     std::optional<FileUnits> units_;
-    std::size_t frames_ = 0;
 };
 
 }  // namespace

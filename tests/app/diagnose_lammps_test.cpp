@@ -108,7 +108,7 @@ TEST_CASE("diagnose: what LAMMPS cannot run for it is refused by name",
   {"counterpart": "plate", "preload": "20 nN"}, "recording": "curve.csv", "role": "fit"})";
     const std::string both = bounces("");
     const std::size_t list = both.find("\"experiments\": [") + 16;
-    CHECK(said(both.substr(0, list) + pull + "]}").find("has a deck for the rigs") !=
+    CHECK(said(both.substr(0, list) + pull + "]}").find("runs drops, inclines and impacts") !=
           std::string::npos);
     CHECK(said(bounces(R"(, "numerics": {"integrator": "euler"})")).find("Euler") !=
           std::string::npos);

@@ -211,3 +211,25 @@ TEST_CASE("export: a deck and a script for SLURM, the deck that simulate runs", 
     CHECK(other.code == 2);
     CHECK(other.err.find("no JKR") != std::string::npos);
 }
+
+TEST_CASE("export: the syntax of later LAMMPS releases is asked for, and said to be untested",
+          "[app][export]") {
+    const Folder f;
+    const std::string path = f.write("case.json", tiny_case("\"grains\": 300", "\"grains\": 30"));
+    const auto exported = [&](const std::string& engine, const std::string& release) {
+        return similitude({"export", path, "--engine", engine, "--lammps-release", release, "--out",
+                           f / release});
+    };
+    const Outcome later = exported("lammps", "later");
+    REQUIRE(later.code == 0);
+    CHECK(later.err.find("untested") != std::string::npos);
+    CHECK(later.err.find("viscoelastic") != std::string::npos);  // the case adheres
+    CHECK(contents(f / "later/pile-lammps/deck.in").find("UNTESTED") != std::string::npos);
+    CHECK(exported("lammps", "2021").err.find("untested") == std::string::npos);
+    const Outcome unknown = exported("lammps", "2024");
+    CHECK(unknown.code == 2);
+    CHECK(unknown.err.find("must be 2021 or later") != std::string::npos);
+    const Outcome wrong = exported("liggghts", "later");
+    CHECK(wrong.code == 2);
+    CHECK(wrong.err.find("must go with --engine lammps") != std::string::npos);
+}

@@ -77,6 +77,44 @@ TEST_CASE("workbook: LibreOffice opens the table of convert", "[app][formats]") 
                Contains("from,surface_energy,") && Contains(",0.19,J/m^2,0.00010744246875277"));
 }
 
+// z = h - g t^2/2 at the recording's rows, all before the plate. A sheet is called runs: the experiment of that name gets another.
+TEST_CASE("workbook: pandas and LibreOffice read the runs and channels of simulate",
+          "[app][formats][simulate]") {
+    if (std::system("command -v soffice > /dev/null 2>&1") != 0)
+        FAIL("this test opens workbooks: install the Debian package libreoffice-calc-nogui");
+    const Folder folder;
+    folder.write("fall.csv", "t [s],z [m]\n0,0.05\n0.02,0.0481\n0.04,0.0422\n");
+    const std::string path =
+        folder.write("case.json", R"({"format": "similitude-case/1", "title": "t",
+  "grain": {"diameter": "2 mm", "density": "2500 kg/m^3", "youngs_modulus": "5 MPa", "poisson_ratio": 0.3},
+  "plate": {"youngs_modulus": "8 MPa", "poisson_ratio": 0.25}, "surroundings": {"gravity": "10 m/s^2"},
+  "model": {"physics": ["gravity", "hertz_mindlin"], "parameters": {"restitution": {"value": 0.7},
+      "sliding_friction": {"value": 0.3}}},
+  "experiments": [
+    {"id": "runs", "rig": "drop", "conditions": {"height": "50 mm"}, "recording": "fall.csv"},
+    {"id": "an-impact-with-a-name-much-too-long-for-Excel", "rig": "impact", "conditions": {"speed": "1.5 m/s"}}]})");
+    const std::string book = folder / "r.xlsx";
+    const Outcome o = similitude({"simulate", path, "--out", folder / "out", "--xlsx", book});
+    INFO(o.err);
+    REQUIRE(o.code == 0);
+    const auto runs = as_pandas_reads(book, "runs");
+    CHECK(runs[0] == Row{"experiment", "rig", "quantity", "value", "unit"});
+    CHECK(row_with(runs, "wall_time", 2)[4] == "s");
+    CHECK(std::stod(row_with(runs, "rows", 2)[3]) == 44.0);  // of the impact, without a recording
+    const auto fall = as_pandas_reads(book, "runs~2");
+    CHECK(fall[0] == Row{"t [s]", "z [m]", "x [m]"});
+    REQUIRE(fall.size() == 4);
+    for (std::size_t k = 1; k < fall.size(); ++k) {
+        const double t = std::stod(fall[k][0]);
+        CHECK(std::stod(fall[k][1]) == Approx(0.05 - 5.0 * t * t).margin(1e-9));
+    }
+    CHECK(as_pandas_reads(book, "an-impact-with-a-name-much-too-").size() == 1 + 44);
+    output_of("HOME=" + folder / "" + " soffice --headless --convert-to csv --outdir " +
+              folder / "" + " " + book);  // the first sheet
+    CHECK_THAT(contents(folder / "r.csv"),
+               Contains("experiment,rig,quantity,value,unit") && Contains("runs,drop,wall_time,"));
+}
+
 // Shear modulus and coefficients as in the paper's Table 3; radius 200 x 0.6 um; gamma = w/2 by the equations of EDEM's page, w by its
 // text; EDEM's Standard multiplies the rolling coefficient by R, the case by R*: half between grains, the same at the wall.
 TEST_CASE("workbook: EDEM's sheet for the scaled zirconia grain, in the order of its dialogs",

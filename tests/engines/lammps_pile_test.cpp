@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "engines/lammps_pile.hpp"
 
+#include "engines/lammps_dump.hpp"
 #include "engines/lammps_files.hpp"
+#include "engines/lammps_rules.hpp"
 #include "engines/lammps_run.hpp"
 #include "engines/pile_feed.hpp"
 #include "engines/pile_run.hpp"
@@ -15,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -49,14 +52,56 @@ TEST_CASE("lammps pile: LAMMPS is told E = 2 E*, so that its wall, which halves 
           "[engines][lammps][pile]") {
     rigs::ContactParameters c{};
     c.e_star = 1e6, c.g_star = 2.5e5, c.sliding_friction = 0.5, c.restitution = 1.0;
-    CHECK_THAT(engines::granular_arguments(c),
+    CHECK_THAT(engines::granular_arguments(c, {}, {}),
                Contains("hertz/material 2000000 ") && Contains(" 0 damping tsuji tangential "
                                                                "mindlin_rescale 2000000 1 0.5"));
     c.work_of_adhesion = 0.5, c.rolling_friction = 0.25;
     c.as_lammps = rigs::LammpsRules{500.0, 0.125};
-    CHECK_THAT(engines::granular_arguments(c), Contains("jkr 2000000 ") && Contains(" 0 0.25 ") &&
-                                                   Contains(" rolling sds 500 0.125 0.25") &&
-                                                   Contains(" twisting marshall"));
+    CHECK_THAT(engines::granular_arguments(c, {}, {}),
+               Contains("jkr 2000000 ") && Contains(" 0 0.25 ") &&
+                   Contains(" rolling sds 500 0.125 0.25") && Contains(" twisting marshall"));
+}
+
+// Manual of 2 Sep 2026: `damping coeff_restitution` gives -2 sqrt(5/6) ln e/sqrt(pi^2 + ln^2 e) sqrt(3/2 k m*) with k = 4/3 E* a, the
+// case's own dashpot; it and `tsuji` are "not compatible with cohesive normal models"; `viscoelastic` is eta a m*. By hand for the pair
+// below: a0^3 = 9 pi w R*^2/(2 E*) = (1 mm)^3, the dashpot 2 sqrt(5/6) beta sqrt(2 E* a0 m*) with beta = 1/sqrt 2 at e = exp(-pi).
+TEST_CASE(
+    "lammps pile: later releases are told the restitution itself, and viscoelastic dashpots under "
+    "JKR",
+    "[engines][lammps][pile]") {
+    const engines::DeckOptions later{.lammps = engines::LammpsRelease::later};
+    const engines::NominalPair pair{1e-3, 2e-6};
+    rigs::ContactParameters c{};
+    c.e_star = 1e6, c.g_star = 2.5e5, c.sliding_friction = 0.5, c.restitution = 0.25;
+    CHECK(engines::granular_arguments(c, later, pair) ==
+          "hertz/material 2000000 0.25 0 damping coeff_restitution tangential mindlin_rescale "
+          "2000000 1 0.5");
+    c.restitution = std::exp(-std::numbers::pi);
+    c.work_of_adhesion = 1e6 * 1e-3 / (4.5 * std::numbers::pi);
+    const double dashpot =
+        2.0 * std::sqrt(5.0 / 12.0) * std::sqrt(2.0 * 1e6 * 1e-3 * 2e-6);  // kg/s
+    CHECK(engines::viscoelastic_eta(c, pair) * 1e-3 * 2e-6 == Approx(dashpot).epsilon(1e-12));
+    const std::string jkr = engines::granular_arguments(c, later, pair);
+    CHECK_THAT(jkr, Contains(" damping viscoelastic ") && Contains(" twisting marshall"));
+    for (const char* refused : {"tsuji", "coeff_restitution"})
+        CHECK(jkr.find(refused) == std::string::npos);
+}
+
+TEST_CASE("lammps pile: a deck for later releases says that nobody has run it",
+          "[engines][lammps][pile]") {
+    const engines::DeckOptions later{.lammps = engines::LammpsRelease::later};
+    for (const char* base : {"flat", "glued_grains"}) {
+        rigs::PileSetup s = small_setup(base, "", 20);
+        s.grains.restitution = 0.05;  // coeff_restitution has no polynomial that ends
+        const std::string deck = engines::lammps_pile(s, later).deck;
+        CHECK_THAT(deck, Contains("UNTESTED") && Contains("\npair_coeff * * hertz/material ") &&
+                             Contains(" damping coeff_restitution "));
+        CHECK(deck.find("tsuji") == std::string::npos);
+        s.grains.restitution = 0.0;
+        CHECK_THROWS_WITH(engines::lammps_pile(s, later), Contains("coeff_restitution"));
+    }
+    CHECK(engines::lammps_pile(small_setup("flat", "", 20)).deck.find("UNTESTED") ==
+          std::string::npos);
 }
 
 TEST_CASE("lammps pile: the traps of the release are kept out of the deck",
@@ -202,8 +247,7 @@ TEST_CASE("lammps pile: on a flat base every batch bounces with the stated resti
     CHECK(run.end->record.heap.centre.size() == 6);
     CHECK(run.end->record.coordination == 1.0);  // each lies on the plate
 
-    const std::string file = (folder.path / "path.dump").string();
-    const auto frames = engines::read_lammps_dump(engines::file_text(file), file);
+    const auto frames = engines::read_lammps_frames(folder.path / "path.dump");
     rigs::PileRun ours = rigs::begin_pile(s, 1);
     std::vector<std::vector<double>> here(6);
     while (!ours.finished) {
@@ -242,6 +286,53 @@ TEST_CASE("lammps pile: a heap on a flat base comes back whole, and the lost are
         CHECK(p.z > 0.45 * s.d);  // soft and sticky: overlaps of up to 0.05 d, as above
         CHECK(std::hypot(p.x, p.y) < r.base_radius + 1.5 * s.d);
     }
+}
+
+// A glued grain hangs where the first one is to appear, 0.3 d off its centre; without the loop the two would lie 0.7 d deep in one another.
+TEST_CASE("lammps pile: no grain is fed into another", "[engines][lammps][pile]") {
+    if (!engines::find_program("lmp")) return;
+    const rigs::PileSetup s = small_setup("glued_grains", "", 1);
+    engines::Deck deck = engines::lammps_pile(s);
+    const std::string look =
+        "write_dump all custom fed.dump id x y z radius modify format float %.17g\n";
+    const std::string clear = "label clear\n";
+    deck.deck.insert(deck.deck.find(clear) + clear.size(), look);
+    const std::size_t glued = engines::glued_grains(s).size();
+    std::string& base = deck.files.front().second;
+    REQUIRE(deck.files.front().first == "base.data");
+    const std::string count = std::to_string(glued) + " atoms";
+    REQUIRE(base.find(count) != std::string::npos);
+    base.replace(base.find(count), count.size(), std::to_string(glued + 1) + " atoms");
+    base += std::to_string(glued + 1) + " 2 " + std::to_string(s.feed_x[0]) + ' ' +
+            std::to_string(s.feed_y[0] + 0.1 * s.d) + ' ' +
+            std::to_string(s.conditions.drop_height + s.radius[0] + 0.28 * s.d) + ' ' +
+            std::to_string(s.d) + " 2500 0\n";
+    const Scratch folder("lammps-pile-within");
+    engines::write_deck(deck, folder.path);
+    engines::run_pile(*engines::find_peer("lammps"), "lmp", s, folder.path, 1);
+    const auto frames = engines::read_lammps_frames(folder.path / "fed.dump");
+    const engines::LammpsFrame& f = frames.front();
+    REQUIRE(f.rows.size() == glued + 2);
+    const std::vector<double>& fed = f.rows.back();
+    for (std::size_t k = 0; k + 1 < f.rows.size(); ++k) {
+        double square = 0.0;
+        for (const std::size_t axis : {1, 2, 3})
+            square += (fed[axis] - f.rows[k][axis]) * (fed[axis] - f.rows[k][axis]);
+        CHECK(std::sqrt(square) >= fed[4] + f.rows[k][4]);
+    }
+    CHECK(fed[3] <
+          s.conditions.drop_height + s.radius[0] + 2.0 * s.d);  // and no higher than need be
+}
+
+TEST_CASE("lammps pile: what an earlier run left in the folder is gone",
+          "[engines][lammps][pile]") {
+    const Scratch folder("lammps-pile-earlier");
+    for (const char* file : {"log.lammps", "final.dump", "final.data", "rows.dump"})
+        engines::write_text(folder.path / file, "of an earlier run");
+    engines::write_deck(engines::lammps_pile(small_setup("glued_grains", all_physics, 5)),
+                        folder.path);
+    for (const char* file : {"log.lammps", "final.dump", "final.data", "rows.dump"})
+        CHECK_FALSE(std::filesystem::exists(folder.path / file));
 }
 
 TEST_CASE("lammps pile: an error of LAMMPS is told with its log", "[engines][lammps][pile]") {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "engines/lammps_contact.hpp"
+#include "engines/lammps_dump.hpp"
 #include "engines/lammps_files.hpp"
 #include "engines/lammps_run.hpp"
 #include "engines/lammps_slump.hpp"
@@ -10,6 +11,7 @@
 #include <catch2/catch.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <stdexcept>
@@ -122,16 +124,23 @@ TEST_CASE("lammps: a dump is read frame by frame, and a torn one is refused", "[
     const std::string frame =
         "ITEM: TIMESTEP\n12\nITEM: NUMBER OF ATOMS\n2\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\n"
         "ITEM: ATOMS id fx\n1 0.1\n2 -2.5e-3\n";
-    const auto frames = engines::read_lammps_dump(frame + frame, "x.dump");
+    const Scratch scratch("dump");
+    const auto read = [&](const std::string& text) {
+        engines::write_text(scratch.path / "x.dump", text);
+        return engines::read_lammps_frames(scratch.path / "x.dump");
+    };
+    const auto frames = read(frame + frame);
     REQUIRE(frames.size() == 2);
     CHECK(frames[1].step == 12);
     CHECK(frames[1].rows[1][frames[1].column("fx")] == -2.5e-3);
     CHECK_THROWS_WITH(frames[0].column("fy"), Contains("no column fy"));
-    CHECK_THROWS_WITH(engines::read_lammps_dump(frame.substr(0, 60), "x.dump"),
-                      StartsWith("x.dump: frame 0"));
-    CHECK_THROWS_WITH(engines::read_lammps_dump("LAMMPS\n", "x.dump"),
-                      Contains("in place of 'ITEM: TIMESTEP'"));
-    CHECK(engines::read_lammps_dump("", "x.dump").empty());
+    CHECK_THROWS_WITH(read(frame.substr(0, 60)), Contains("x.dump") && Contains("cut off"));
+    CHECK_THROWS_WITH(read(frame + frame.substr(0, frame.size() - 12)),
+                      Contains("x.dump") && Contains("frame 1 (step 12)"));
+    CHECK_THROWS_WITH(read("LAMMPS\n"), Contains("must be a heading of a dump"));
+    CHECK(read("").empty());
+    CHECK(std::isnan(read(frame.substr(0, frame.size() - 8) + "nan\n").front().rows[1][1]));
+    CHECK_THROWS_AS(engines::read_lammps_frames(scratch.path / "none"), std::runtime_error);
 }
 
 // The first line that Debian 12's program prints.
