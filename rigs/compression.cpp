@@ -44,8 +44,7 @@ CompressionRow row_of(const CompressionRun& run, const CompressionCell& cell) {
             .piston_stress = piston_stress(s, cell),
             .floor_stress = elastic_force_on_grains(s, the_floor) / (cell.width * cell.width),
             .packing_fraction = confined ? packing_between(s, cell.width, 0.2 * h, 0.8 * h) : 0.0,
-            .coordination = 2.0 * static_cast<double>(dem_min::pair_count(s)) /
-                            static_cast<double>(s.grains.count())};
+            .coordination = coordination_between(s, 0.2 * h, 0.8 * h)};
 }
 
 // The sample as a wire would cut it: each grain to its own side, what it held on the other is torn in the next step.
@@ -141,6 +140,21 @@ double packing_between(const Simulation& s, double width, double low, double hig
     for (std::size_t k = 0; k < s.grains.count(); ++k)
         solid += between(s.grains.z[k], s.grains.radius[k], low, high);
     return solid / (width * width * (high - low));
+}
+
+double coordination_between(const Simulation& s, double low, double high) {
+    const auto inside = [&](int grain) {
+        const double z = s.grains.z[static_cast<std::size_t>(grain)];
+        return z >= low && z <= high;
+    };
+    std::size_t ends = 0, grains = 0;
+    for (std::size_t k = 0; k < s.grains.count(); ++k) grains += inside(static_cast<int>(k));
+    dem_min::for_each_contact(s,
+                              [&](std::size_t group, const dem_min::Contacts& c, std::size_t slot) {
+                                  if (!s.at_wall(group))
+                                      ends += inside(c.i[slot]) + inside(c.j[slot]);
+                              });
+    return grains == 0 ? 0.0 : static_cast<double>(ends) / static_cast<double>(grains);
 }
 
 CompressionRun begin_compression(const CompressionSetup& setup, int threads) {

@@ -95,4 +95,7 @@ double elastic_force_on_grains(const dem_min::Simulation&, int wall);
 // Solid share of a cell of that width between two heights.
 double packing_between(const dem_min::Simulation&, double width, double low, double high);
 
+// Contacts with other grains of a grain whose centre lies between two heights; 0 without one.
+double coordination_between(const dem_min::Simulation&, double low, double high);
+
 }  // namespace rigs

@@ -100,6 +100,17 @@ TEST_CASE("solid between two heights: a sphere cut at half a radius keeps 27/32"
     CHECK(rigs::packing_between(s, 2.0, -3.0, 3.0) * 24.0 == Approx(4.0 / 3.0 * pi).epsilon(1e-12));
 }
 
+// Three grains in a row, the outer two beside the slab: the middle one has both contacts.
+TEST_CASE("coordination between two heights counts the contacts of who is there",
+          "[rigs][compression][exact]") {
+    CompressionSetup s = column(3);
+    rigs::CompressionRun run = rigs::begin_compression(s, 1);
+    while (run.stage == Stage::compressing) rigs::advance(run, s, 20);
+    CHECK(rigs::coordination_between(run.simulation, s.d, 2.0 * s.d) == 2.0);
+    CHECK(rigs::coordination_between(run.simulation, 0.0, s.d) == 1.0);
+    CHECK(rigs::coordination_between(run.simulation, 4.0 * s.d, 5.0 * s.d) == 0.0);
+}
+
 // Newton: nobody moves, so the floor carries all the weight. 1e-4: what is left of the motion after 0.1 s.
 TEST_CASE("a bed at rest: the floor carries its weight, the piston nothing",
           "[rigs][compression][exact]") {
