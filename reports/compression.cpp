@@ -19,25 +19,27 @@ using verify::CompressionSide;
 using verify::CompressionStudy;
 using verify::RuleResult;
 
+// Three digits: the fourth of a mean of some seeds is chance.
+std::string rounded(double value) { return fmt::format("{:.3g}", value); }
+
 std::string interval_text(const statistics::Interval& i) {
-    return fmt::format("[{}, {}]", number(i.low), number(i.high));
+    return fmt::format("[{:.2f}, {:.2f}]", i.low, i.high);
 }
 
-std::string in_unit(double value, const verify::Quantity& q) {
-    return q.unit == "Pa" ? number(value / 1e3) : number(value);
+std::string mean_text(const statistics::Summary& s, double unit) {
+    return fmt::format("{} (sd {:.2g})", rounded(s.mean / unit), s.standard_deviation / unit);
 }
 
 std::vector<std::string> row_of(const CompressionSide& side, const verify::Quantity& q) {
     const statistics::Interval i = q.test.interval;
     const bool outside = i.low > q.test.margin || i.high < -q.test.margin;
+    const double unit = q.unit == "Pa" ? 1e3 : 1.0;
     return {fmt::format("h = {:g}, {}{}", side.h, words(q.name), q.unit == "Pa" ? ", kPa" : ""),
-            fmt::format("{} (sd {})", in_unit(q.reference.mean, q),
-                        in_unit(q.reference.standard_deviation, q)),
-            fmt::format("{} (sd {})", in_unit(q.scaled.mean, q),
-                        in_unit(q.scaled.standard_deviation, q)),
-            fmt::format("{} [{}, {}]", in_unit(q.test.difference, q), in_unit(i.low, q),
-                        in_unit(i.high, q)),
-            in_unit(q.test.margin, q),
+            mean_text(q.reference, unit),
+            mean_text(q.scaled, unit),
+            fmt::format("{} [{}, {}]", rounded(q.test.difference / unit), rounded(i.low / unit),
+                        rounded(i.high / unit)),
+            rounded(q.test.margin / unit),
             q.seeds_for_power > 0 ? fmt::format("{}", q.seeds_for_power) : "none is enough",
             map_word(outside             ? verify::Answer::different
                      : q.test.equivalent ? verify::Answer::equivalent
