@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <optional>
@@ -28,6 +29,7 @@ constexpr const char* examples = R"(Examples:
 verify::CompressionPlan plan_of(const CompressionOptions& o) {
     verify::CompressionPlan plan = o.small ? verify::small_plan() : verify::CompressionPlan{};
     if (o.seeds > 0) plan.seeds = o.seeds;
+    plan.among_larger = o.among_larger;
     return plan;
 }
 
@@ -54,11 +56,14 @@ std::optional<verify::CompressionStudy> studied(const CompressionOptions& o) {
 std::vector<std::uint64_t> seeds_of(const verify::CompressionStudy& study) {
     std::vector<std::uint64_t> seeds;
     const auto take = [&](const verify::CompressionSide& side) {
-        for (const verify::CompressionSample& s : side.samples) seeds.push_back(s.seed);
+        for (const verify::CompressionSample& s : side.samples)
+            if (std::find(seeds.begin(), seeds.end(), s.seed) == seeds.end())
+                seeds.push_back(s.seed);
     };
-    for (const verify::RuleResult& r : study.rules)
+    for (const verify::RuleResult& r : study.rules) {
+        take(r.reference);
         for (const verify::CompressionCellResult& cell : r.cells) take(cell.side);
-    take(study.rules.front().reference), take(study.rules.back().reference);
+    }
     take(study.half_speed.side);
     return seeds;
 }
@@ -70,7 +75,11 @@ CLI::App* add_compression(CLI::App& verify, CompressionOptions& o) {
         "compression",
         "a powder of larger grains compressed and crushed, by the rule that its "
         "adhesion follows");
-    verb->add_flag("--small", o.small, "a cell half as wide, h = 2 alone, 3 seeds: a minute");
+    auto* small =
+        verb->add_flag("--small", o.small, "a cell half as wide, h = 2 alone, 3 seeds: a minute");
+    verb->add_flag("--among-larger", o.among_larger,
+                   "without h = 1, which takes most of the time: h = 1.5 and 2 against 1.25")
+        ->excludes(small);
     verb->add_option("--seeds", o.seeds, "samples a side, 10 by default")
         ->check(CLI::Range(2, 1000));
     verb->add_option("--out", o.out, "folder in which finished samples are remembered")

@@ -10,7 +10,7 @@ namespace app {
 struct CompressionOptions {
     CommonOptions common;
     std::string out = "out";
-    bool small = false;
+    bool small = false, among_larger = false;
     int seeds = 0;  // a side; 0: 3 with `small`, else 10
 };
 

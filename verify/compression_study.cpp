@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace verify {
 namespace {
@@ -36,6 +37,15 @@ CompressionJob image_of(CompressionJob job) {
     job.setup = rigs::scaled(job.setup, map);
     job.unit_of_length = map.factor("length"), job.unit_of_time = map.factor("time");
     return job;
+}
+
+BitsCheck bits_of(const CompressionSample& original, const CompressionSample& image) {
+    return {.scheme = "exact",
+            .h = bits_h,
+            .grains = static_cast<std::size_t>(image.grains),
+            .reference = original.hash,
+            .scaled = image.hash,
+            .equal = original.hash == image.hash};
 }
 
 // What samples are compared by, in the order of the table.
@@ -123,8 +133,7 @@ struct Groups {
     std::vector<double> h{};  // [groups]
 
     std::size_t add(const CompressionPlan& plan, const AdhesionRule& rule, double of_h,
-                    std::uint64_t seed) {
-        const std::uint64_t from = seed + 1000 * h.size();
+                    std::uint64_t from) {
         for (int k = 0; k < seeds; ++k)
             jobs.push_back(job_of(plan, rule, of_h, from + static_cast<std::uint64_t>(k)));
         h.push_back(of_h);
@@ -226,40 +235,45 @@ CompressionStudy compression_study(const CompressionPlan& plan, std::uint64_t se
     const std::vector<AdhesionRule>& rules = adhesion_rules();
     const AdhesionRule &main_rule = rules.front(), &dry = rules.back();
     Groups groups{.seeds = plan.seeds};
+    // A group's seeds do not hang on which others are run, so that its samples are found again.
+    std::uint64_t number = 0;
+    const auto seeds_of_next = [&] { return seed + 1000 * number++; };
     std::vector<std::vector<std::size_t>> of_rule(rules.size());  // groups, by h
     for (std::size_t k = 0; k < rules.size(); ++k)
-        for (const double h : plan.h) of_rule[k].push_back(groups.add(plan, rules[k], h, seed));
+        for (const double h : plan.h)
+            of_rule[k].push_back(groups.add(plan, rules[k], h, seeds_of_next()));
     // Adhesive rules are the same powder at h = 1: one reference serves them all.
-    const std::size_t sticky = groups.add(plan, main_rule, 1.0, seed),
-                      loose = groups.add(plan, dry, 1.0, seed);
+    const std::uint64_t of_sticky = seeds_of_next(), of_loose = seeds_of_next();
+    std::optional<std::size_t> sticky, loose;
+    if (!plan.among_larger) {
+        sticky = groups.add(plan, main_rule, 1.0, of_sticky);
+        loose = groups.add(plan, dry, 1.0, of_loose);
+    }
     CompressionPlan slow = plan;
     slow.speed *= 0.5;
-    const std::size_t slowly = groups.add(slow, main_rule, plan.h.back(), seed);
+    const std::size_t slowly = groups.add(slow, main_rule, plan.h.back(), seeds_of_next());
     const std::size_t original = of_rule.front().back();
     groups.jobs.push_back(image_of(groups.job(original)));
     const std::vector<CompressionSample> samples = run_compressions(groups.jobs, campaign);
 
     for (std::size_t k = 0; k < rules.size(); ++k) {
+        const std::size_t reference =
+            (rules[k].adhesive ? sticky : loose).value_or(of_rule[k].front());
         RuleResult result{.rule = rules[k],
-                          .reference = groups.side(rules[k].adhesive ? sticky : loose, samples),
+                          .reference = groups.side(reference, samples),
                           .cells = {},
                           .strength_exponent = 0.0,
                           .strength_exponent_interval = {}};
         for (const std::size_t group : of_rule[k])
-            result.cells.push_back(
-                compared(rules[k], result.reference, groups.side(group, samples), study.margins));
+            if (group != reference)
+                result.cells.push_back(compared(rules[k], result.reference,
+                                                groups.side(group, samples), study.margins));
         if (rules[k].adhesive) fit_exponent(result);
         study.rules.push_back(std::move(result));
     }
     const CompressionSide at_speed = groups.side(original, samples);
     study.half_speed = compared(main_rule, at_speed, groups.side(slowly, samples), study.margins);
-    const std::uint64_t reference = at_speed.samples.front().hash, scaled = samples.back().hash;
-    study.bits = {.scheme = "exact",
-                  .h = bits_h,
-                  .grains = static_cast<std::size_t>(samples.back().grains),
-                  .reference = reference,
-                  .scaled = scaled,
-                  .equal = reference == scaled};
+    study.bits = bits_of(at_speed.samples.front(), samples.back());
     find_inertial_numbers(study);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     study.seconds = seconds.count();

@@ -131,3 +131,25 @@ TEST_CASE("compression study: bits under exact scaling, every rule, no seed twic
     CHECK(study.rules[0].reference.samples[0].confined.stress.back() ==
           Approx(study.powder.stress).epsilon(0.25));
 }
+
+TEST_CASE(
+    "compression study among larger grains: the same samples, each rule against its smallest h",
+    "[verify][compression]") {
+    CompressionPlan plan = tiny;
+    plan.h = {1.25, 1.5};
+    const verify::CompressionStudy whole = compression_study(plan, 7, campaign_on(2));
+    plan.among_larger = true;
+    const verify::CompressionStudy study = compression_study(plan, 7, campaign_on(2));
+    for (std::size_t k = 0; k < 4; ++k) {
+        const verify::RuleResult& r = study.rules[k];
+        CAPTURE(r.rule.name);
+        REQUIRE(r.cells.size() == 1);
+        CHECK(r.reference.h == 1.25);
+        CHECK(r.cells[0].side.h == 1.5);
+        for (std::size_t s = 0; s < 2; ++s) {
+            CHECK(r.reference.samples[s].hash == whole.rules[k].cells[0].side.samples[s].hash);
+            CHECK(r.cells[0].side.samples[s].hash == whole.rules[k].cells[1].side.samples[s].hash);
+        }
+    }
+    CHECK(study.half_speed.side.samples[0].hash == whole.half_speed.side.samples[0].hash);
+}
