@@ -85,9 +85,10 @@ RunSection rule_section(const RuleResult& r) {
         .name = r.rule.what,
         .verdict = {answer_of(r), answers_of(r),
                     r.rule.adhesive
-                        ? fmt::format("strength as h^{:.2f}, 95 % interval [{:.2f}, {:.2f}]",
-                                      r.strength_exponent, r.strength_exponent_interval.low,
-                                      r.strength_exponent_interval.high)
+                        ? fmt::format(
+                              "strength as h to the power {:.2f}, 95 % interval [{:.2f}, {:.2f}]",
+                              r.strength_exponent, r.strength_exponent_interval.low,
+                              r.strength_exponent_interval.high)
                         : "the control: nothing to be scaled but the grains"},
         .notes = {},
         .figure = confined_figure(r),
@@ -109,7 +110,7 @@ RunSection rule_section(const RuleResult& r) {
 TextTable source_table(const CompressionStudy& study) {
     const auto exponent = [&](std::size_t k) {
         const RuleResult& r = study.rules[k];
-        return fmt::format("strength as h^{:.2f} {}; {}", r.strength_exponent,
+        return fmt::format("strength as h to the power {:.2f} {}; {}", r.strength_exponent,
                            interval_text(r.strength_exponent_interval), answers_of(r));
     };
     return {
@@ -256,7 +257,7 @@ std::string text_of(const CompressionStudy& study) {
     for (const RuleResult& r : study.rules) {
         text += fmt::format("{}: {}", r.rule.what, answers_of(r));
         if (r.rule.adhesive)
-            text += fmt::format("; strength as h^{:.2f} {}", r.strength_exponent,
+            text += fmt::format("; strength as h to the power {:.2f} {}", r.strength_exponent,
                                 interval_text(r.strength_exponent_interval));
         text += fmt::format("\n{}\n", columns(table_of(r), right));
     }
