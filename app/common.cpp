@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/common.hpp"
 
+#include "app/exit_code.hpp"
 #include "app/version.hpp"
 #include "scaling/errors.hpp"
 
@@ -79,6 +80,20 @@ void print(const CommonOptions& options, const std::string& text) {
     if (options.quiet || options.json_on_stdout()) return;
     std::fwrite(text.data(), 1, text.size(), stdout);
     std::fflush(stdout);
+}
+
+int exit_code_of(reports::Answer answer) {
+    switch (answer) {
+        case reports::Answer::yes:
+            return fine;
+        case reports::Answer::no:
+            return answer_is_no;
+        case reports::Answer::cannot_tell:
+            return cannot_tell;
+        case reports::Answer::outside_validity:
+            return outside_validity;
+    }
+    return internal_fault;
 }
 
 }  // namespace app

@@ -54,4 +54,7 @@ void print(const CommonOptions&, const std::string& text);
 // Makes the folder where needed. Throws scaling::InvalidInput where the file cannot be written.
 void write_file(const std::string& path, const std::string& text);
 
+// What the shell gets for an answer: app/exit_code.hpp.
+int exit_code_of(reports::Answer);
+
 }  // namespace app

@@ -8,6 +8,7 @@
 #include "app/progress.hpp"
 #include "app/scale_input.hpp"
 #include "app/verify_against.hpp"
+#include "app/verify_compression.hpp"
 #include "cases/read_case.hpp"
 #include "reports/checks.hpp"
 #include "scaling/errors.hpp"
@@ -47,7 +48,9 @@ constexpr const char* examples = R"(Examples:
   similitude verify data/slow-feed --sleep --seeds 12 --json out/sleep.json
       heaps that may sleep against heaps that stay awake, and what sleep saves
   similitude verify data/zirconia/case.json --small --engine lammps --ranks 2 --contact lammps
-      the scaled heaps against the reference heaps, all of them run by LAMMPS)";
+      the scaled heaps against the reference heaps, all of them run by LAMMPS
+  similitude verify compression --small
+      a powder of larger grains compressed and crushed, by the rule of its adhesion)";
 
 verify::Campaign campaign_of(const VerifyOptions& o, Progress& progress) {
     const std::filesystem::path remembered = std::filesystem::path(o.out) / "similitude-heaps";
@@ -101,20 +104,6 @@ reports::Provenance provenance_of(const VerifyOptions& o, const std::string& com
                 if (std::find(who.seeds.begin(), who.seeds.end(), s.seed) == who.seeds.end())
                     who.seeds.push_back(s.seed);
     return who;
-}
-
-int exit_code_of(reports::Answer answer) {
-    switch (answer) {
-        case reports::Answer::yes:
-            return fine;
-        case reports::Answer::no:
-            return answer_is_no;
-        case reports::Answer::cannot_tell:
-            return cannot_tell;
-        case reports::Answer::outside_validity:
-            return outside_validity;
-    }
-    return internal_fault;
 }
 
 // The pile whose heaps may sleep.
@@ -207,7 +196,12 @@ Verb verify_verb(CLI::App& app, const std::string& command) {
         ->capture_default_str();
     add_common(*verb, options->common);
     verb->footer(examples);
-    return {verb, [options, command] { return run(*options, command); }};
+    const auto of_compression = std::make_shared<CompressionOptions>();
+    const CLI::App* compression = add_compression(*verb, *of_compression);
+    return {verb, [options, of_compression, compression, command] {
+                return compression->parsed() ? verify_compression(*of_compression, command)
+                                             : run(*options, command);
+            }};
 }
 
 }  // namespace app

@@ -12,7 +12,7 @@ namespace dem_min {
 namespace {
 
 constexpr std::uint64_t format =
-    0x73696d696c2f3033;  // "simil/03": raise the last digit when the layout changes
+    0x73696d696c2f3034;  // "simil/04": raise the last digit when the layout changes
 
 struct Writer {
     std::ofstream& out;
@@ -57,12 +57,15 @@ void visit(Simulation& s, Visit&& each) {
     each(s.steps);
     each(s.births);
     each(s.past);
+    for (Wall& wall : s.walls)
+        if (Plane* plane = std::get_if<Plane>(&wall)) each(*plane);
     for (Array* array : s.grains.arrays()) each(*array);
     each(s.grains.id);
     each(s.grains.material);
     fit_tiles(s);  // none before the first step
     for (Tile& tile : s.tiles) {
         each(tile.ended);
+        each(tile.wall_work);
         each(tile.quiet_steps);
         each(tile.asleep);
         for (Contacts& group : tile.groups) {

@@ -3,6 +3,7 @@
 
 #include "contact/effective.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -160,6 +161,35 @@ void remove_lost(Simulation& s) {
             s.past.heat += heat_so_far(c, slot);
         });
     renumber(s, new_index);
+}
+
+std::vector<Plane*> moving_walls(Simulation& s) {
+    std::vector<Plane*> moving;
+    for (Wall& wall : s.walls)
+        if (auto* plane = std::get_if<Plane>(&wall);
+            plane != nullptr && contact::dot(plane->velocity, plane->velocity) > 0.0)
+            moving.push_back(plane);
+    return moving;
+}
+
+void move_walls(Simulation& s, const std::vector<Plane*>& moving) {
+    double fastest = 0.0;
+    for (Plane* plane : moving) {
+        plane->point = plane->point + s.settings.time_step * plane->velocity;
+        fastest = std::max(fastest, contact::norm(plane->velocity));
+    }
+    if (fastest > 0.0)
+        for (Tile& tile : s.tiles)
+            tile.way_from_walls += fastest * s.settings.time_step + tile.rounding;
+}
+
+double half_step_work_of_walls(const Simulation& s, const Contacts& c) {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < c.count(); ++k) {
+        const Vec3 on_wall{c.books.fx[k], c.books.fy[k], c.books.fz[k]};
+        sum -= contact::dot(on_wall, velocity(s.walls[static_cast<std::size_t>(c.j[k])]));
+    }
+    return 0.5 * s.settings.time_step * sum;
 }
 
 bool time_to_reorder(const Simulation& s) { return s.steps % reorder_interval == 0; }

@@ -99,6 +99,13 @@ void end_step(Simulation&, std::size_t tile);
 // Both, of one step and of the next, in one walk over the grains.
 Drift end_and_begin_step(Simulation&, std::size_t tile);
 
+// Walls that move, and what a step does to them: each comes on by its way, and the tiles' ways from walls grow by the longest.
+std::vector<Plane*> moving_walls(Simulation&);
+void move_walls(Simulation&, const std::vector<Plane*>& moving);
+
+// J, half a step's work of moving walls on the grains of these contacts, with the forces that stand in their books.
+double half_step_work_of_walls(const Simulation&, const Contacts&);
+
 // Takes out the grains below `lost_below`, with their contacts.
 void remove_lost(Simulation&);
 // What both steps do now and then: see reorder_interval.

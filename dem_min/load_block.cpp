@@ -298,7 +298,8 @@ void gather_walls(const Simulation& s, const Contacts& c, std::size_t first, int
         const WallDistance way = distance(s.walls[wall], p.position(i));
         b.nx[k] = way.n.x, b.ny[k] = way.n.y, b.nz[k] = way.n.z;
         b.distance[k] = way.distance;
-        b.ux[k] = -p.vx[i], b.uy[k] = -p.vy[i], b.uz[k] = -p.vz[i];
+        const Vec3 u = velocity(s.walls[wall]) - p.velocity(i);
+        b.ux[k] = u.x, b.uy[k] = u.y, b.uz[k] = u.z;
         b.ix[k] = p.wx[i], b.iy[k] = p.wy[i], b.iz[k] = p.wz[i];
         b.jx[k] = b.jy[k] = b.jz[k] = 0.0;
         b.r_i[k] = p.radius[i], b.r_j[k] = 0.0;

@@ -57,6 +57,7 @@ void reference_step(Simulation& s) {
     if (time_to_reorder(s)) reorder(s);
     fit_tiles(s);
     for (std::size_t t = 0; t < s.tiles.size(); ++t) begin_step(s, t);
+    move_walls(s, moving_walls(s));
     check_finite(s);
     remove_lost(s);
     begin_all(s);
@@ -71,7 +72,8 @@ void reference_step(Simulation& s) {
     for (Tile& tile : s.tiles)
         for (std::size_t group = 0; group < s.groups(); ++group) {
             Contacts& c = tile.groups[group];
-            const bool at_wall = s.at_wall(group);
+            const bool at_wall = s.at_wall(group), books_of_walls = at_wall && s.settings.ledger;
+            if (books_of_walls) tile.wall_work += half_step_work_of_walls(s, c);
             std::vector<std::size_t> torn;
             for (std::size_t slot = 0; slot < c.count(); ++slot) {
                 Block b;
@@ -94,6 +96,7 @@ void reference_step(Simulation& s) {
                 if (s.settings.ledger) tile.ended += heat_of_end(s.laws(group), c, *slot);
                 c.remove(*slot);
             }
+            if (books_of_walls) tile.wall_work += half_step_work_of_walls(s, c);
         }
     for (const Outgoing& load : to_other_tiles) add_load(s, load.j, load.force, load.torque);
     for (std::size_t t = 0; t < s.tiles.size(); ++t) {

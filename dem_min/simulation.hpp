@@ -35,6 +35,7 @@ struct Settings {
 // Sums over everything that no longer exists: ended contacts and grains that have left.
 struct Past {
     Dissipation heat;  // J, of contacts that have ended, springs that were still loaded included
+    double wall_work = 0.0;     // J, of moving walls on grains of tiles that are no more
     double kinetic_in = 0.0;    // J, of grains at their birth
     double potential_in = 0.0;  // J, likewise, in gravity, zero at the origin
     double carried_away =
@@ -113,12 +114,12 @@ void for_each_contact(const Simulation& s, Visit&& visit) {
                 visit(group, tile.groups[group], slot);
 }
 
-// Where the energy is, J. What came in (work of gravity, kinetic energy at birth) less what is there or has left or has
+// Where the energy is, J. What came in (work of gravity and of moving walls, kinetic energy at birth) less what is there or has left or has
 // become heat is the imbalance: zero but for the error of the step.
 struct Ledger {
     double kinetic = 0.0, elastic_normal = 0.0, elastic_tangential = 0.0, elastic_rolling = 0.0;
     Dissipation heat;
-    double gravity_work = 0.0, brought_in = 0.0, carried_away = 0.0;
+    double gravity_work = 0.0, wall_work = 0.0, brought_in = 0.0, carried_away = 0.0;
     double imbalance() const;
 };
 Ledger ledger(const Simulation&);  // settings.ledger must have been on from the start

@@ -118,7 +118,8 @@ void load_tile(Simulation& s, std::size_t t, Spare& spare) {
     std::vector<std::size_t> torn;
     for (std::size_t group = 0; group < s.groups(); ++group) {
         Contacts& c = tile.groups[group];
-        const bool at_wall = s.at_wall(group);
+        const bool at_wall = s.at_wall(group), books_of_walls = at_wall && s.settings.ledger;
+        if (books_of_walls) tile.wall_work += half_step_work_of_walls(s, c);
         for (std::size_t first = 0; first < c.count(); first += block_size) {
             const int size = static_cast<int>(std::min<std::size_t>(block_size, c.count() - first));
             at_wall ? gather_walls(s, c, first, size, block)
@@ -127,6 +128,7 @@ void load_tile(Simulation& s, std::size_t t, Spare& spare) {
             scatter(tile, begin, grains, c, at_wall, first, size, block, torn);
         }
         if (!torn.empty()) end_contacts(s, t, group, torn);
+        if (books_of_walls) tile.wall_work += half_step_work_of_walls(s, c);
     }
 }
 
@@ -185,9 +187,13 @@ void stop(Simulation& s, std::size_t t) {
 
 // Who sleeps in this step: tiles that have been quiet for long and have only quiet partners. Their grains are held; what pushes
 // awake ones is evaluated as ever, and only a tile all of whose partners sleep is left out.
-void put_to_sleep(Simulation& s) {
+void put_to_sleep(Simulation& s, bool walls_move) {
     const Settings& settings = s.settings;
     if (settings.sleep_speed <= 0.0) return;
+    if (walls_move) {  // into the heap, or away from under it: nobody is left out
+        for (Tile& tile : s.tiles) tile.asleep = tile.left_out = false, tile.quiet_steps = 0;
+        return;
+    }
     for (Tile& tile : s.tiles) {
         if (tile.asleep) continue;
         const bool quiet =
@@ -213,7 +219,7 @@ void put_to_sleep(Simulation& s) {
 }
 
 // Between the drift and the loads: grains leave, bad numbers are found, the list is renewed.
-void look_after(Simulation& s) {
+void look_after(Simulation& s, bool walls_move) {
     bool lost = false, bad = false;
     Vec3 sum;
     for (const Tile& tile : s.tiles) {
@@ -225,7 +231,7 @@ void look_after(Simulation& s) {
     if (lost) remove_lost(s);
     s.past.grain_steps += static_cast<std::int64_t>(s.grains.count());
     if (outdated(s)) find_neighbours(s);
-    put_to_sleep(s);
+    put_to_sleep(s, walls_move);
 }
 
 // The second half of a step for tile t, and the first of the next one if there is one.
@@ -294,6 +300,7 @@ void advance(Simulation& s, std::int64_t steps) {
     bool begun =
         false;  // the end of one step and the beginning of the next are one walk over the grains
     s.spare.resize(std::max(s.spare.size(), static_cast<std::size_t>(s.team())));
+    const std::vector<Plane*> moving = moving_walls(s);
     for (std::int64_t done = 0; done < steps; ++done) {
         if (time_to_reorder(s)) reorder(s);
         fit_tiles(s);
@@ -303,7 +310,8 @@ void advance(Simulation& s, std::int64_t steps) {
                     if (Tile& tile = s.tiles[static_cast<std::size_t>(t)]; !tile.asleep)
                         note(s, tile, begin_step(s, static_cast<std::size_t>(t)));
             });
-        look_after(s);
+        move_walls(s, moving);
+        look_after(s, !moving.empty());
         ++s.steps;
         begun = done + 1 < steps && !time_to_reorder(s);
         for (Tile& tile : s.tiles) tile.finished = false;

@@ -77,6 +77,7 @@ void renumber(Simulation& s, const std::vector<int>& new_index, bool by_grain) {
     for (auto& of_tile : copies) of_tile.resize(s.groups());
     for (const Tile& tile : old) {
         s.past.heat += tile.ended;
+        s.past.wall_work += tile.wall_work;
         for (std::size_t g = 0; g < tile.groups.size(); ++g) {
             const Contacts& from = tile.groups[g];
             for (std::size_t slot = 0; slot < from.count(); ++slot) {

@@ -63,6 +63,7 @@ struct Spare {
 struct Tile {
     std::vector<Contacts> groups;  // [groups of laws], see Simulation
     Dissipation ended;             // J, by contacts of this tile that have ended (ledger on)
+    double wall_work = 0.0;        // J, of moving walls on grains of this tile (ledger on)
 
     // The list, made anew by find_neighbours.
     Candidates near_grains, near_walls;

@@ -45,6 +45,11 @@ double clearance(const Wall& wall, Vec3 point) {
     return distance(wall, point).distance;
 }
 
+Vec3 velocity(const Wall& wall) {
+    const auto* plane = std::get_if<Plane>(&wall);
+    return plane != nullptr ? plane->velocity : Vec3{};
+}
+
 static Box bounds(const Plane&) {
     constexpr double far = std::numeric_limits<double>::infinity();
     return {{-far, -far, -far}, {far, far, far}};

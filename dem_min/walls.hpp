@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Rigid walls at rest. Three shapes serve every rig: a plane; a thin shell of revolution about the z axis whose generating
+// Rigid walls. Three shapes serve every rig: a plane; a thin shell of revolution about the z axis whose generating
 // line is a segment in the (r, z) half-plane: a disc (0, 0)-(R, 0), a tube (R, z0)-(R, z1), a cone or a funnel
 // (r0, z0)-(r1, z1); and a smooth patch of a mesh of triangles (dem_min/mesh.hpp). Shells and patches are felt from both sides
-// and at their rims.
+// and at their rims. Only a plane may move.
 #pragma once
 
 #include "contact/vec3.hpp"
@@ -18,6 +18,8 @@ using contact::Vec3;
 struct Plane {
     Vec3 point;   // m
     Vec3 normal;  // unit, into the room where grains are
+    // m/s, kept until the caller gives another; a step carries `point` along. Infinite mass: no force slows it.
+    Vec3 velocity = {};
 };
 
 struct Shell {
@@ -48,6 +50,8 @@ WallDistance distance(const Wall&, Vec3 point);
 // The same distance in m, but of the shape alone, whichever patch answers: at most `distance`. Who may soon touch is asked by
 // this, because a grain that rolls over a sharp edge is handed from one patch to the next at full overlap.
 double clearance(const Wall&, Vec3 point);
+
+Vec3 velocity(const Wall&);  // m/s
 
 // Along the axes; infinite for a plane.
 struct Box {

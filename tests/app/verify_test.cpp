@@ -83,3 +83,25 @@ TEST_CASE("verify: heaps are run by another engine only where it can take their 
     CHECK(similitude({"verify", "--exact", "--engine", "lammps"}).code == 2);
     CHECK(similitude({"verify", "--against", "lammps", "--contact", "lammps"}).code == 2);
 }
+
+TEST_CASE("verify compression: a signal or a second call goes on from what is remembered",
+          "[app][verify][compression]") {
+    const Folder f;
+    const auto study = [&](bool resume) {
+        std::vector<std::string> words = {"verify", "compression", "--small", "--seeds", "2",
+                                          "--out",  f / "out",     "--json",  "-",       "--quiet"};
+        if (resume) words.push_back("--resume");
+        return similitude(words);
+    };
+    const Outcome first = study(false);
+    INFO(first.err);
+    CHECK((first.code == 0 || first.code == 3 || first.code == 4));  // chance
+    const auto json = first.json();
+    CHECK(json.at("format") == "similitude-compression/1");
+    CHECK(json.at("bits").at("equal") == true);
+    REQUIRE(json.at("rules").size() == 4);
+    CHECK(json.at("tool").at("seeds").size() == 14);
+    const Outcome second = study(true);
+    CHECK(second.json().at("rules") == json.at("rules"));
+    CHECK(similitude({"verify", "compression", "--seeds", "1"}).code == 2);
+}

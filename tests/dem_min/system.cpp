@@ -36,7 +36,10 @@ struct Scaler {
     }
     void operator()(auto& /*law without a dimension*/) const {}
 
-    void operator()(dem_min::Plane& wall) const { wall.point = length * wall.point; }
+    void operator()(dem_min::Plane& wall) const {
+        wall.point = length * wall.point;
+        wall.velocity = (length / time) * wall.velocity;
+    }
     void operator()(dem_min::Shell& wall) const {
         wall.r0 *= length, wall.z0 *= length, wall.r1 *= length, wall.z1 *= length;
     }
