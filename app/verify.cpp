@@ -7,6 +7,7 @@
 #include "app/machine_speed.hpp"
 #include "app/progress.hpp"
 #include "app/scale_input.hpp"
+#include "app/scaling_map.hpp"
 #include "app/verify_against.hpp"
 #include "cases/read_case.hpp"
 #include "reports/checks.hpp"
@@ -207,7 +208,10 @@ Verb verify_verb(CLI::App& app, const std::string& command) {
         ->capture_default_str();
     add_common(*verb, options->common);
     verb->footer(examples);
-    return {verb, [options, command] { return run(*options, command); }};
+    const Verb map = scaling_map_verb(*verb, command);
+    return {verb, [options, command, map] {
+                return map.app->parsed() ? map.run() : run(*options, command);
+            }};
 }
 
 }  // namespace app
