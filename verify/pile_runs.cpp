@@ -277,6 +277,11 @@ std::optional<PileSample> remembered_pile(const PileJob& job, const std::filesys
     return remembered(job, file_of(job, folder));
 }
 
+void remember_pile(const PileSample& sample, const PileJob& job,
+                   const std::filesystem::path& folder) {
+    remember(sample, file_of(job, folder));
+}
+
 double expected_grain_steps(const rigs::PileSetup& s) {
     const double feeding = s.feed_time.back() / s.time_step;
     return static_cast<double>(s.conditions.grains) *

@@ -66,6 +66,9 @@ std::filesystem::path file_of(const PileJob&, const std::filesystem::path& folde
 // The sample of a pile that has been remembered whole; nothing else.
 std::optional<PileSample> remembered_pile(const PileJob&, const std::filesystem::path& folder);
 
+// Puts the sample of the pile where the above finds it; whole, or not at all.
+void remember_pile(const PileSample&, const PileJob&, const std::filesystem::path& folder);
+
 // Grain-steps that a pile is likely to need: half of the grains are there while they are fed.
 double expected_grain_steps(const rigs::PileSetup&);
 

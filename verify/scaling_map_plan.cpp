@@ -168,17 +168,24 @@ MapPlan small_plan() {
     return b.plan;
 }
 
+// Cheap piles first: the apparatus of 24 grains, then coarse grains, whose cost goes as h^-4; h = 1.25 and the widest bases last.
 MapPlan full_plan() {
     Builder b("full");
-    const Coarse coarse{1e5, 48.0, {1.25, 1.5, 2.0, 3.0}, {6, 6, 6, 8, 12}};
-    coarse_graining(b, coarse, 10.0, 4);
-    base_over_grain(b, 10.0, 1e5, {48.0, 32.0, 24.0, 16.0, 12.0}, {6, 6, 8, 12, 12});
-    softening(b, plain(10.0, 1e7, 24.0, 8), {10.0, 100.0, 1000.0});
-    for (const double bond : {0.0, 100.0, 1.0}) coarse_graining(b, coarse, bond, 4);
+    const Coarse coarse{1e5, 48.0, {1.5, 2.0, 3.0}, {6, 6, 8, 12}};
+    const Coarse fine{1e5, 48.0, {1.25}, {6, 6}};
+    const std::vector<double> widths{48.0, 32.0, 24.0, 16.0, 12.0};
+    const std::vector<int> seeds{6, 6, 8, 12, 12};
     size_effects(b, plain(10.0, 1e5, 24.0, 8));
-    base_over_grain(b, 0.0, 1e5, {48.0, 32.0, 24.0, 16.0, 12.0}, {6, 6, 8, 12, 12});
+    coarse_graining(b, coarse, 10.0, 4);
+    base_over_grain(b, 10.0, 1e5, widths, seeds);
+    coarse_graining(b, coarse, 0.0, 4);
+    base_over_grain(b, 0.0, 1e5, widths, seeds);
+    coarse_graining(b, coarse, 100.0, 4);
+    coarse_graining(b, coarse, 1.0, 4);
+    softening(b, plain(10.0, 1e7, 24.0, 8), {10.0, 100.0, 1000.0});
+    for (const double bond : {10.0, 0.0, 100.0, 1.0}) coarse_graining(b, fine, bond, 4);
     base_over_grain(b, 10.0, 1e5, {72.0, 48.0}, {3, 6});
-    b.plan.reference_grains = grains_of(b.plan.piles[0]);
+    b.plan.reference_grains = grains_of(plain(10.0, 1e5, 48.0, 1));
     return b.plan;
 }
 
@@ -245,7 +252,7 @@ MapPlan map_plan(MapExtent extent) {
 }
 
 std::vector<MapTurn> map_turns(const MapPlan& plan, std::uint64_t first_seed) {
-    constexpr int at_a_time = 4;
+    constexpr int at_a_time = 3;
     std::vector<MapTurn> turns;
     bool more = true;
     for (int from = 0; more; from += at_a_time) {

@@ -58,8 +58,8 @@ enum class MapExtent { tiny, small, full };
 // tiny: 150 grains and one rule, for tests; small: minutes; full: hours (docs/scaling-map.md has the numbers).
 MapPlan map_plan(MapExtent);
 
-// One heap of the plan, and the order in which heaps are poured: the first four seeds of every pile, in the order of the plan,
-// then the next four, so that whole cells are filled early.
+// One heap of the plan, and the order in which heaps are poured: the first three seeds of every pile, in the order of the plan,
+// then the next three, so that whole cells are filled early.
 struct MapTurn {
     std::size_t pile;
     std::uint64_t seed;

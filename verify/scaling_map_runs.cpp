@@ -7,6 +7,7 @@
 #include <chrono>
 #include <exception>
 #include <mutex>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -97,12 +98,25 @@ class Pourer {
             one.progress = [&](double done, double of, const std::string&) {
                 tell(turn, done / of, "");
             };
-            run_piles({job}, one);
+            pour_or_note_failure(job, one);
             const std::lock_guard lock(mutex_);
             poured_ += cost_[t.pile];
             pouring_seconds_ += seconds_since(begun);
         }
         tell(turn, 1.0, job.name);
+    }
+
+    // A heap whose numbers are no longer finite is an answer about its step or its grain, not the end of the map.
+    static void pour_or_note_failure(const PileJob& job, const Campaign& one) {
+        try {
+            run_piles({job}, one);
+        } catch (const std::runtime_error&) {
+            PileSample failed;
+            failed.name = job.name;
+            failed.seed = job.seed;
+            failed.missed = {"finite_numbers"};
+            remember_pile(failed, job, one.remembered_in);
+        }
     }
 
     const MapPlan& plan_;
