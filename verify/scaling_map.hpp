@@ -41,7 +41,7 @@ struct MapSide {
     double bond;        // F_po/(m g), 1
     int grains;         // fed to each heap
     std::size_t heaps, at_rest,
-        formed;  // poured; came to rest; of these a heap by every criterion of rigs::formed
+        formed;  // poured; came to rest; formed (scaling_map_judge.hpp)
 };
 
 struct MapCell {
@@ -64,7 +64,7 @@ struct MapHeap {
     std::string name;  // unique: "coarse_graining-stress_bond-bond10-x2-seed3"
     std::uint64_t seed;
     bool at_rest, formed;
-    std::vector<std::string> missed;            // criteria of a formed heap that it does not meet
+    std::vector<std::string> missed;            // criteria that it does not meet
     std::vector<std::optional<double>> values;  // in the order of map_margins(), in their units
     double grains_on_base, grain_steps,
         seconds;  // cost: grains times steps really made, and s of one thread

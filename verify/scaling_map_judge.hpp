@@ -6,8 +6,9 @@
 
 namespace verify {
 
-// What the map reads of a heap. A heap is formed here when it meets every criterion of rigs::formed but apex_near_axis: where the
-// apex of a round stream's heap lies is scatter, in grain diameters, and grows with the grain.
+// What the map reads of a heap. It is formed when it is at rest and meets the criteria of rigs::formed, but for two that count in grains:
+// apex_near_axis is left out (where the apex under a round stream lies is scatter, and grows with the grain), and falls_outwards
+// allows a rise of 0.05 of the base, which stays what it is, or of one grain.
 MapHeap map_heap(const PileSample&, const MapPile&);
 
 MapSide map_side(const MapPile&, const std::vector<MapHeap>&);
@@ -16,10 +17,9 @@ MapSide map_side(const MapPile&, const std::vector<MapHeap>&);
 MapQuantity judged(const MapMargin&, const std::vector<double>& reference,
                    const std::vector<double>& scaled);
 
-// The cell of a pair: flank angles of formed heaps, all else of heaps at rest. Angles are left out where neither side forms.
+// The cell of a pair: base_covered counts only where both bases are 20 d and wider. Flank angles of formed heaps, all else of heaps at rest. Angles are left out where neither side forms.
 MapCell map_cell(const MapPair&, const MapPile& reference, const MapPile& scaled,
-                 const std::vector<MapHeap>& reference_heaps,
-                 const std::vector<MapHeap>& scaled_heaps);
+                 std::vector<MapHeap> reference_heaps, std::vector<MapHeap> scaled_heaps);
 
 // Sticking speed, restitution, pull-off force, contact radius without load and tear-off gap of a pair of reference grains and of
 // the same, softened by each rule: closed forms, and restitution from GSL.

@@ -13,11 +13,11 @@ namespace verify {
 
 struct MapRun {
     int threads = 1;
-    std::filesystem::path folder;  // of finished heaps; must be named
-    int shard = 1, shards = 1;     // this one of so many: every so-manieth heap of the order
-    double budget = 0.0;           // s: no heap begins that would not end by then; 0: none
+    std::filesystem::path folder{};  // of finished heaps; must be named
+    int shard = 1, shards = 1;       // this one of so many: every so-manieth heap of the order
+    double budget = 0.0;             // s: no heap begins that would not end by then; 0: none
     // Grain-steps done, of how many (of this shard), and the heap that has just ended (or empty); called from one thread at a time.
-    std::function<void(double done, double of, const std::string& ended)> progress;
+    std::function<void(double done, double of, const std::string& ended)> progress{};
     const std::atomic<bool>* stop = nullptr;
 };
 
