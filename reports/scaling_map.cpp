@@ -156,7 +156,8 @@ bool has(const ScalingMap& map, const std::string& study) {
 Verdict verdict_of(const ScalingMap& map) {
     const bool whole = map.heaps.size() == map.heaps_planned;
     return {whole ? Answer::yes : Answer::cannot_tell,
-            "Of " + fmt::format("{} cells ", map.cells.size()) + counted(counts_of(map, "")),
+            fmt::format("{}: of {} cells {}", whole ? "Poured whole" : "Not poured whole",
+                        map.cells.size(), counted(counts_of(map, ""))),
             poured(map)};
 }
 
