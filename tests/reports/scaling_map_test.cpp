@@ -90,3 +90,22 @@ TEST_CASE("scaling map: another format and an unknown verdict are refused by nam
     CHECK_THROWS_WITH(reports::read_scaling_map(File(text).path.string()),
                       Contains("verdict") && Contains("perhaps"));
 }
+
+TEST_CASE("scaling map: the small map in data/ is whole, and its means are those of its heaps",
+          "[reports][scaling_map][data]") {
+    const verify::ScalingMap map = reports::read_scaling_map("data/scaling-map/small.json");
+    CHECK(map.extent == "small");
+    CHECK(map.heaps.size() == map.heaps_planned);
+    const verify::MapCell* cell = nullptr;
+    for (const verify::MapCell& c : map.cells)
+        if (c.study == "coarse_graining" && c.rule == "none" && c.bond == 10.0 && c.factor == 2.0)
+            cell = &c;
+    REQUIRE(cell != nullptr);
+    double sum = 0.0, count = 0.0;
+    for (const verify::MapHeap& h : map.heaps)
+        if (h.name.find("bond10-e10000-base20-h2-none-seed") == 0)
+            sum += h.values.at(3).value(), count += 1.0;  // coordination
+    REQUIRE(count == 8.0);
+    for (const verify::MapQuantity& q : cell->quantities)
+        if (q.name == "coordination") CHECK(q.scaled.mean == Approx(sum / count).epsilon(1e-12));
+}
