@@ -46,7 +46,7 @@ const std::vector<MapMargin>& impact_margins() {
          "a twentieth: what friction and restitution of a powder are known to, at best"},
         {"sticking_speed", "sqrt(g d)", 0.05, true, "the same share"},
         {"restitution", "1", 0.05, true,
-         "the same share, at four times the reference's sticking speed"},
+         "the same share, at ten times the reference's sticking speed"},
         {"contact_radius", "R", 0.05, true, "the same share, without load"},
         {"tear_off_gap", "R", 0.05, true, "the same share"},
     };

@@ -61,7 +61,7 @@ struct MapCell {
 
 // One finished heap.
 struct MapHeap {
-    std::string name;  // unique: "coarse_graining-stress_bond-bond10-x2-seed3"
+    std::string name;  // unique: "bond10-e100000-base48-h2-stress_bond-seed123001"
     std::uint64_t seed;
     bool at_rest, formed;
     std::vector<std::string> missed;            // criteria that it does not meet

@@ -252,7 +252,7 @@ std::vector<MapCell> single_impacts(double bond, double elasticity,
     };
     const PairOfGrains reference = pair_of(1.0, 1.0);
     const TwoSpheres spheres{reference.e_star, 0.25, 0.5 * mass, reference.w, 0.5};
-    const double speed = 4.0 * std::sqrt(2.0 * sticking_work(spheres) / (0.5 * mass));
+    const double speed = 10.0 * std::sqrt(2.0 * sticking_work(spheres) / (0.5 * mass));
     const std::vector<double> expected = impact_numbers(reference, speed);
     std::vector<MapCell> cells;
     for (const double factor : factors)

@@ -184,7 +184,7 @@ MapPlan full_plan() {
     coarse_graining(b, coarse, 1.0, 4);
     softening(b, plain(10.0, 1e7, 24.0, 8), {10.0, 100.0, 1000.0});
     for (const double bond : {10.0, 0.0, 100.0, 1.0}) coarse_graining(b, fine, bond, 4);
-    base_over_grain(b, 10.0, 1e5, {72.0, 48.0}, {3, 6});
+    base_over_grain(b, 10.0, 1e5, {48.0, 72.0}, {6, 3});
     b.plan.reference_grains = grains_of(plain(10.0, 1e5, 48.0, 1));
     return b.plan;
 }

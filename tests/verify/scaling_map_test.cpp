@@ -188,6 +188,10 @@ TEST_CASE("scaling map: a single impact keeps what its rule keeps and loses the 
     CHECK(ratio(cells[2], "pull_off_force") == Approx(0.1).epsilon(1e-12));
     for (const verify::MapCell& c : cells) CHECK(c.verdict == MapVerdict::breaks);
     CHECK(quantity(cells[1], "sticking_speed").verdict == MapVerdict::holds);
+    // They part, slower than the dashpot's 0.5, since adhesion takes its share.
+    const double e = quantity(cells[1], "restitution").reference.mean;
+    CHECK(e > 0.1);
+    CHECK(e < 0.5);
     CHECK(quantity(cells[1], "pull_off_force").verdict == MapVerdict::breaks);
 }
 
