@@ -35,7 +35,7 @@ using verify::AdvisedGrain;
 
 struct AdviseOptions {
     CommonOptions common;
-    std::string path, budget, tolerance, experiment, map = "data/scaling-map/map.json",
+    std::string path, budget, tolerance, experiment, map = "data/scaling-map/small.json",
                                                      out = "out/advice";
     int seeds = 0;  // a side; 0: as many as the map's scatter asks for
     bool check = false;
@@ -108,10 +108,12 @@ AdvisedGrain candidate(const Work& w, const std::string& rule, double h) {
     g.rule = rule, g.h = h, g.softening = 1.0;
     g.size_ratio = w.powder.size_ratio / h;
     g.coarse = verify::read_coarse(w.map, w.powder, rule, h, w.tolerance);
-    const double hard = w.powder.elasticity / h;
-    const std::optional<double> softest = verify::softest(w.map, w.tolerance);
-    if (softest && *softest < hard) g.softening = *softest / hard;
-    g.elasticity = hard * g.softening;
+    // The map's own modulus, where the powder's is stiffer: E' is one for all grains.
+    const double at_reference =
+        w.powder.elasticity * *verify::finest_size_ratio(w.map) / w.powder.size_ratio;
+    const double map_has = *verify::modulus_of_map(w.map);
+    g.softening = h > 1.0 ? std::min(1.0, map_has / at_reference) : 1.0;
+    g.elasticity = g.softening * w.powder.elasticity / h;
     const scaling::ScaleStudy study = study_of(w.c, coarse(h, rule, g.softening, w.e.id), w.speed);
     if (study.adhesion && w.powder.bond > 0.0) {
         g.work_of_adhesion = study.adhesion->scaled.work_of_adhesion.value();
@@ -120,7 +122,7 @@ AdvisedGrain candidate(const Work& w, const std::string& rule, double h) {
             if (f.judgement == scaling::Judgement::unusable) g.unusable = f.text;
     }
     if (g.softening < 1.0)
-        g.soft = verify::read_softening(w.map, g.elasticity, g.bond, w.tolerance);
+        g.soft = verify::read_softening(w.map, at_reference, map_has, g.bond, w.tolerance);
     return g;
 }
 
@@ -158,8 +160,8 @@ std::vector<AdvisedGrain> considered(const Work& w) {
             if ((std::string(rule.name) == "none") == (w.powder.bond == 0.0))
                 list.push_back(candidate(w, rule.name, h));
     }
-    AdvisedGrain own = candidate(w, w.powder.bond > 0.0 ? "stress_bond" : "none", 1.0 + 1e-9);
-    own.h = 1.0, own.coarse = {};  // the powder itself
+    AdvisedGrain own = candidate(w, w.powder.bond > 0.0 ? "stress_bond" : "none", 1.0);
+    own.coarse = {};  // the powder itself
     own.coarse.says = verify::AngleSays::within;
     list.push_back(std::move(own));
     cost_all(w, list);

@@ -96,10 +96,8 @@ Verdict verdict_of(const Advice& a) {
     const AdvisedGrain* g = chosen_of(a);
     if (!g) {
         const AdvisedGrain* cheapest = nullptr;
-        bool open = false;
         for (const AdvisedGrain& other : a.considered) {
             if (!other.unusable.empty()) continue;
-            open = open || other.says() == AngleSays::not_decided;
             if (other.says() == AngleSays::within &&
                 (!cheapest || other.seconds < cheapest->seconds))
                 cheapest = &other;
@@ -109,9 +107,7 @@ Verdict verdict_of(const Advice& a) {
                     fmt::format("the cheapest one, h = {} by {}, takes {} a heap, the budget is {}",
                                 number(cheapest->h), words(cheapest->rule),
                                 quantity(cheapest->seconds, "s"), quantity(a.budget, "s"))};
-        return {open ? Answer::cannot_tell : Answer::no,
-                open ? "The map decides for no grain whether the angle stays"
-                     : "No grain of the map keeps the angle",
+        return {Answer::no, "No grain of the map keeps the angle",
                 fmt::format("asked for: within {} deg", number(a.tolerance))};
     }
     std::string headline = fmt::format("Grains {} times as large", number(g->h));
@@ -121,11 +117,15 @@ Verdict verdict_of(const Advice& a) {
     if (g->softening < 1.0) headline += fmt::format(", modulus times {}", number(g->softening));
     std::string why = fmt::format("{} grains, step {}, {} a heap", count(g->grains),
                                   quantity(g->time_step, "s"), quantity(g->seconds, "s"));
+    const bool open = g->says() != AngleSays::within;
     Answer answer = g->outside() ? Answer::outside_validity : Answer::yes;
+    if (open && !a.check) answer = Answer::cannot_tell;
     if (a.check) {
         why += "; " + check_text(a);
         const Answer checked = answer_of(*a.check, a.tolerance);
         if (checked != Answer::yes) answer = checked;
+    } else if (open) {
+        why += "; whether the angle stays the map leaves open: only a check can tell";
     } else if (g->outside()) {
         why += "; partly beyond the map, so that only a check can tell";
     }

@@ -30,7 +30,7 @@ struct Advice {
 };
 
 // yes: a grain, all of it inside the map; outside validity: a grain, some of it beyond the map; no: no grain that can be afforded keeps
-// the angle; cannot tell: the map decides it for none. A check that found a difference is a no.
+// the angle; cannot tell: a grain, but the map leaves open whether the angle stays. A check decides that, and a difference is a no.
 Verdict verdict_of(const Advice&);
 std::string text_of(const Advice&);
 Json to_json(const Advice&, const Provenance&);

@@ -153,42 +153,38 @@ MapReading read_coarse(const ScalingMap& map, const PowderGroups& powder, const 
     return r;
 }
 
-std::optional<double> softest(const ScalingMap& map, double tolerance) {
-    std::optional<double> least;
-    for (const MapCell* c : cells_of(map, "softening", "pull_off")) {
-        MapReading r;
-        add_cell(r, *c, tolerance, true);
-        if (r.says == AngleSays::within)
-            least = std::min(least.value_or(c->scaled.elasticity), c->scaled.elasticity);
-    }
-    return least;
+std::optional<double> modulus_of_map(const ScalingMap& map) {
+    const std::optional<double> finest = finest_size_ratio(map);
+    for (const MapCell& c : map.cells)
+        if (c.study == "coarse_graining" && c.reference.size_ratio == *finest)
+            return c.reference.elasticity;
+    return std::nullopt;
 }
 
-MapReading read_softening(const ScalingMap& map, double elasticity, double bond, double tolerance) {
+MapReading read_softening(const ScalingMap& map, double from, double to, double bond,
+                          double tolerance) {
     MapReading r;
-    const std::vector<const MapCell*> cells = cells_of(map, "softening", "pull_off");
-    if (cells.empty()) {
-        r.outside.push_back("the map holds no softening with w kept");
-        return r;
-    }
-    const MapCell* next = nullptr;  // the least soft that is as soft
-    double stiffest = 0.0;
-    for (const MapCell* c : cells) {
-        stiffest = std::max(stiffest, c->reference.elasticity);
-        if (c->scaled.elasticity <= elasticity * alike &&
+    const MapCell* next = nullptr;  // as soft as that, from the stiffest
+    for (const MapCell* c : cells_of(map, "softening", "pull_off"))
+        if (c->scaled.elasticity <= to * alike &&
             (!next || c->scaled.elasticity > next->scaled.elasticity))
             next = c;
-    }
     if (!next) {
+        r.says = AngleSays::within;
         r.outside.push_back(
-            fmt::format("E/(rho g d) = {:.3g} is softer than all of the map", elasticity));
+            fmt::format("the map holds no modulus as soft as E/(rho g d) = {:.3g}", to));
         return r;
     }
     add_cell(r, *next, tolerance, true);
     constexpr double near = 3.2;  // half a decade
+    if (from > near * next->reference.elasticity)
+        r.outside.push_back(
+            fmt::format("its softening begins at E/(rho g d) = {:.3g}, this grain's is {:.3g}",
+                        next->reference.elasticity, from));
     if (bond > near * next->bond || bond * near < next->bond)
-        r.outside.push_back(fmt::format(
-            "soft moduli were tried at Bond {:g}, this grain has {:.3g}", next->bond, bond));
+        r.outside.push_back(
+            fmt::format("soft moduli were tried at F_po/(m g) = {:g}, this grain has {:.3g}",
+                        next->bond, bond));
     return r;
 }
 
@@ -200,15 +196,18 @@ std::optional<std::size_t> choose(const std::vector<AdvisedGrain>& list) {
     const auto widest = [](const AdvisedGrain& g) {
         return std::max(-g.coarse.low, g.coarse.high);
     };
-    std::optional<std::size_t> best;
-    for (std::size_t k = 0; k < list.size(); ++k) {
-        const AdvisedGrain& g = list[k];
-        if (!g.affordable || !g.unusable.empty() || g.says() != AngleSays::within) continue;
-        if (!best || g.h < list[*best].h / alike ||
-            (g.h <= list[*best].h * alike && widest(g) < widest(list[*best])))
-            best = k;
+    for (const AngleSays says : {AngleSays::within, AngleSays::not_decided}) {
+        std::optional<std::size_t> best;
+        for (std::size_t k = 0; k < list.size(); ++k) {
+            const AdvisedGrain& g = list[k];
+            if (!g.affordable || !g.unusable.empty() || g.says() != says) continue;
+            if (!best || g.h < list[*best].h / alike ||
+                (g.h <= list[*best].h * alike && widest(g) < widest(list[*best])))
+                best = k;
+        }
+        if (best) return best;
     }
-    return best;
+    return std::nullopt;
 }
 
 }  // namespace verify

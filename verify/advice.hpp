@@ -43,11 +43,11 @@ std::optional<double> finest_size_ratio(const ScalingMap&);
 MapReading read_coarse(const ScalingMap&, const PowderGroups&, const std::string& rule, double h,
                        double tolerance);
 
-// Of a modulus so soft that E/(rho g d) is `elasticity`, w kept; `bond`: F_po/(m g) of the grain it is for.
-MapReading read_softening(const ScalingMap&, double elasticity, double bond, double tolerance);
+// E/(rho g d) of that grain; nothing where it has no such cell.
+std::optional<double> modulus_of_map(const ScalingMap&);
 
-// The least E/(rho g d) whose softening cell keeps the angle within the tolerance; nothing where none does.
-std::optional<double> softest(const ScalingMap&, double tolerance);
+// Of a modulus taken down from E/(rho g d) = `from` to `to`, w kept; `bond`: F_po/(m g) of the grain it is for.
+MapReading read_softening(const ScalingMap&, double from, double to, double bond, double tolerance);
 
 // One grain that could be simulated instead of the powder's.
 struct AdvisedGrain {
@@ -63,8 +63,8 @@ struct AdvisedGrain {
     bool outside() const { return !coarse.outside.empty() || !soft.outside.empty(); }
 };
 
-// The finest that is affordable, usable and within the tolerance; of these the rule whose interval is narrowest about nothing, then
-// the first of coarse_rules().
+// The finest that is affordable, usable and within the tolerance; where there is none but the map leaves some open, the finest of those.
+// Of several rules the one whose interval is narrowest about nothing, then the first of coarse_rules().
 std::optional<std::size_t> choose(const std::vector<AdvisedGrain>&);
 
 }  // namespace verify
