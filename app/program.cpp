@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/program.hpp"
 
+#include "app/advise.hpp"
 #include "app/bench.hpp"
 #include "app/calibrate.hpp"
 #include "app/convert.hpp"
@@ -80,11 +81,11 @@ int program(int argc, char** argv, const Judge& judge) {
     cli.set_version_flag("--version", fmt::format("similitude {} ({})", version, git));
     cli.require_subcommand(1);
     const std::string command = command_line(argc, argv);
-    std::vector<Verb> verbs = {scale_verb(cli, command),  simulate_verb(cli, command),
-                               verify_verb(cli, command), bench_verb(cli, command),
-                               prove_verb(cli, command),  convert_verb(cli, command),
-                               photo_verb(cli, command),  measure_verb(cli, command),
-                               export_verb(cli, command), calibrate_verb(cli, command)};
+    std::vector<Verb> verbs = {
+        scale_verb(cli, command),     simulate_verb(cli, command), verify_verb(cli, command),
+        bench_verb(cli, command),     prove_verb(cli, command),    convert_verb(cli, command),
+        photo_verb(cli, command),     measure_verb(cli, command),  export_verb(cli, command),
+        calibrate_verb(cli, command), advise_verb(cli, command)};
     if (judge) verbs.push_back(diagnose_verb(cli, command, judge));
     try {
         cli.parse(argc, argv);

@@ -7,6 +7,7 @@
 #include "app/machine_speed.hpp"
 #include "app/progress.hpp"
 #include "app/scale_input.hpp"
+#include "app/scaling_map.hpp"
 #include "app/verify_against.hpp"
 #include "app/verify_compression.hpp"
 #include "cases/read_case.hpp"
@@ -198,8 +199,10 @@ Verb verify_verb(CLI::App& app, const std::string& command) {
     verb->footer(examples);
     const auto of_compression = std::make_shared<CompressionOptions>();
     const CLI::App* compression = add_compression(*verb, *of_compression);
-    return {verb, [options, of_compression, compression, command] {
+    const Verb map = scaling_map_verb(*verb, command);
+    return {verb, [options, of_compression, compression, map, command] {
                 return compression->parsed() ? verify_compression(*of_compression, command)
+                       : map.app->parsed()   ? map.run()
                                              : run(*options, command);
             }};
 }

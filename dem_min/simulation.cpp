@@ -8,6 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <variant>
 
 namespace dem_min {
 namespace {
@@ -129,6 +130,25 @@ double largest_overlap(const Simulation& s) {
         largest = std::max(largest, overlap / c.r_star[slot]);
     });
     return largest;
+}
+
+double mean_compression(const Simulation& s) {
+    double sum = 0.0;
+    std::size_t contacts = 0;
+    for_each_contact(s, [&](std::size_t group, const Contacts& c, std::size_t slot) {
+        if (s.at_wall(group)) return;
+        const auto i = static_cast<std::size_t>(c.i[slot]), j = static_cast<std::size_t>(c.j[slot]);
+        const double overlap =
+            s.grains.radius[i] + s.grains.radius[j] - contact::norm(apart(s, i, j));
+        sum += std::max(0.0,
+                        std::visit(
+                            [&](const auto& law) {
+                                return law.at(c.r_star[slot], c.length_scale[slot], overlap).force;
+                            },
+                            s.laws(group).normal));
+        ++contacts;
+    });
+    return contacts == 0 ? 0.0 : sum / static_cast<double>(contacts);
 }
 
 MemoryUse memory_use(const Simulation& s) {

@@ -129,6 +129,8 @@ double translational_energy(const Simulation&);  // J, likewise, without spin
 double mean_coordination(
     const Simulation&);                     // contacts per loose grain, with grains, base and walls
 double largest_overlap(const Simulation&);  // 1, overlap over R* of the deepest contact; 0 without
+// N, mean over all contacts between grains of the elastic normal force, tension counted as 0; 0 without contacts.
+double mean_compression(const Simulation&);
 
 // What the simulation keeps in memory, bytes.
 struct MemoryUse {

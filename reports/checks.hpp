@@ -48,6 +48,7 @@ std::string tolerance_text(const verify::Check&);
 // checks: every one with expected, got, unit, tolerance, relative, reason, source, passed, the bits
 // pairs among them; comparisons: sides with every sample, quantities with intervals; findings; heaps_by; sleep: what it saved.
 Json to_json(const Verification&);
+Json to_json(const verify::Comparison&);
 
 std::string text_of(const Verification&);
 

@@ -89,7 +89,9 @@ Json quantity_json(const verify::Quantity& q) {
     return json;
 }
 
-Json comparison_json(const verify::Comparison& c) {
+}  // namespace
+
+Json to_json(const verify::Comparison& c) {
     Json quantities = Json::array();
     for (const verify::Quantity& q : c.quantities) quantities.push_back(quantity_json(q));
     return {{"name", c.name},
@@ -102,8 +104,6 @@ Json comparison_json(const verify::Comparison& c) {
             {"scaled", side_json(c.scaled)}};
 }
 
-}  // namespace
-
 Json to_json(const Verification& v) {
     const Verdict verdict = verdict_of(v);
     Json checks = Json::array(), comparisons = Json::array(), findings = Json::array();
@@ -112,8 +112,7 @@ Json to_json(const Verification& v) {
         for (const verify::BitsCheck& b : v.similarity->bits) checks.push_back(bits_json(b));
         findings = to_json(v.similarity->findings);
     }
-    for (const verify::Comparison* c : comparisons_of(v))
-        comparisons.push_back(comparison_json(*c));
+    for (const verify::Comparison* c : comparisons_of(v)) comparisons.push_back(to_json(*c));
     Json json = {{"verdict", to_string(verdict.answer)},
                  {"why", verdict.why},
                  {"checks", std::move(checks)},

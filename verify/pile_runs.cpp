@@ -88,6 +88,8 @@ PileSample sample_of(const rigs::PileEnd& end, const PileJob& job, double second
     sample.grains_lost = static_cast<double>(record.grains_lost);
     sample.steps = static_cast<double>(record.steps);
     sample.seconds = seconds;
+    sample.mean_compression = dem_min::mean_compression(end.run.simulation);
+    sample.grain_steps = static_cast<double>(record.work.asked - record.work.slept);
     sample.slept = record.work.share_slept();
     sample.slept_while_fed = record.work_while_fed.share_slept();
     for (std::size_t k = 0; k < record.profile.r.size(); ++k) {
@@ -115,7 +117,7 @@ std::string to_text(const PileSample& s) {
     line("angles_deg", angles);
     line("packing_fraction", optional(s.packing_fraction));
     line("numbers", {s.coordination, s.grains_on_base, s.grains_lost, s.steps, s.seconds, s.slept,
-                     s.slept_while_fed});
+                     s.slept_while_fed, s.mean_compression, s.grain_steps});
     line("profile_r", s.profile_r);
     line("profile_z", s.profile_z);
     text += fmt::format("missed {} {}\nhash {}\nend\n", s.missed.size(), fmt::join(s.missed, " "),
@@ -156,7 +158,7 @@ std::optional<PileSample> remembered(const PileJob& job, const std::filesystem::
     for (std::size_t k = 0; in && k < missed && missed < 100; ++k)
         in >> word, s.missed.push_back(word);
     in >> word >> s.hash >> end;
-    if (!in || end != "end" || flags.size() != 2 || numbers.size() != 7 ||
+    if (!in || end != "end" || flags.size() != 2 || numbers.size() != 9 ||
         angles.size() != s.angles_deg.size())
         return {};
     for (std::size_t k = 0; k < angles.size(); ++k)
@@ -165,6 +167,7 @@ std::optional<PileSample> remembered(const PileJob& job, const std::filesystem::
     s.coordination = numbers[0], s.grains_on_base = numbers[1], s.grains_lost = numbers[2];
     s.steps = numbers[3], s.seconds = numbers[4];
     s.slept = numbers[5], s.slept_while_fed = numbers[6];
+    s.mean_compression = numbers[7], s.grain_steps = numbers[8];
     return s;
 }
 
@@ -200,13 +203,6 @@ struct Queue {
         if (campaign.progress) campaign.progress(sum, total, ended);
     }
 };
-
-// Grains grow in number while they are fed; on average half of them are there.
-double expected_grain_steps(const rigs::PileSetup& s) {
-    const double feeding = s.feed_time.back() / s.time_step;
-    return static_cast<double>(s.conditions.grains) *
-           (static_cast<double>(rigs::expected_steps(s)) - 0.5 * feeding);
-}
 
 // Nothing where it was stopped. `show` hears how many steps are done.
 std::optional<rigs::PileEnd> run_here(const Queue& queue, const rigs::PileSetup& setup,
@@ -277,6 +273,21 @@ std::filesystem::path file_of(const PileJob& job, const std::filesystem::path& f
     const std::string by = engine != nullptr ? " by " + engine->key(job.setup) : "";
     return folder /
            fmt::format("{}-{:016x}.txt", job.name, fnv1a(described(job.setup) + units + by));
+}
+
+std::optional<PileSample> remembered_pile(const PileJob& job, const std::filesystem::path& folder) {
+    return remembered(job, file_of(job, folder));
+}
+
+void remember_pile(const PileSample& sample, const PileJob& job,
+                   const std::filesystem::path& folder) {
+    remember(sample, file_of(job, folder));
+}
+
+double expected_grain_steps(const rigs::PileSetup& s) {
+    const double feeding = s.feed_time.back() / s.time_step;
+    return static_cast<double>(s.conditions.grains) *
+           (static_cast<double>(rigs::expected_steps(s)) - 0.5 * feeding);
 }
 
 std::vector<PileSample> run_piles(const std::vector<PileJob>& jobs, const Campaign& campaign) {

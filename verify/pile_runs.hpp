@@ -35,6 +35,8 @@ struct PileSample {
     std::optional<double> packing_fraction;
     double coordination = 0.0;
     double grains_on_base = 0.0, grains_lost = 0.0, steps = 0.0, seconds = 0.0;
+    double mean_compression = 0.0;              // N, dem_min::mean_compression
+    double grain_steps = 0.0;                   // that were made
     double slept = 0.0, slept_while_fed = 0.0;  // 1, shares of the grain-steps
     std::vector<double> profile_r, profile_z;   // mean profile, in d
     std::uint64_t hash = 0;                     // of the final state, in the job's units
@@ -60,5 +62,14 @@ std::vector<PileSample> run_piles(const std::vector<PileJob>& jobs, const Campai
 // The file of a remembered pile: its name and a fingerprint of its whole setup and of who runs it, so that another one is run anew.
 std::filesystem::path file_of(const PileJob&, const std::filesystem::path& folder,
                               const rigs::PileEngine* engine = nullptr);
+
+// The sample of a pile that has been remembered whole; nothing else.
+std::optional<PileSample> remembered_pile(const PileJob&, const std::filesystem::path& folder);
+
+// Puts the sample of the pile where the above finds it; whole, or not at all.
+void remember_pile(const PileSample&, const PileJob&, const std::filesystem::path& folder);
+
+// Grain-steps that a pile is likely to need: half of the grains are there while they are fed.
+double expected_grain_steps(const rigs::PileSetup&);
 
 }  // namespace verify

@@ -105,3 +105,44 @@ TEST_CASE("verify compression: a signal or a second call goes on from what is re
     CHECK(second.json().at("rules") == json.at("rules"));
     CHECK(similitude({"verify", "compression", "--seeds", "1"}).code == 2);
 }
+
+TEST_CASE("verify scaling-map: a tiny map is poured, taken up again, and never forgotten unasked",
+          "[app][verify][scaling_map]") {
+    const Folder f;
+    const Outcome o = similitude({"verify", "scaling-map", "--tiny", "--out", f / "out", "--json",
+                                  f / "map.json", "--report", f / "map.html"});
+    INFO(o.err);
+    REQUIRE(o.code == 0);
+    CHECK(contents(f / "map.html").find("h, grain over reference grain") != std::string::npos);
+    const std::string map = contents(f / "map.json");
+    CHECK(map.find("similitude-scaling-map/1") != std::string::npos);
+    const Outcome again = similitude({"verify", "scaling-map", "--tiny", "--out", f / "out"});
+    CHECK(again.code == 2);
+    CHECK(again.err.find("--resume") != std::string::npos);
+    const Outcome resumed = similitude({"verify", "scaling-map", "--tiny", "--resume", "--budget",
+                                        "1 us", "--out", f / "out", "--json", "-"});
+    CHECK(resumed.code == 0);
+    CHECK(resumed.json().at("heaps").size() == 4);
+    CHECK(resumed.json().at("cells").at(0).at("reference").at("heaps") == 2);
+}
+
+TEST_CASE("verify scaling-map: a budget that is spent leaves heaps out and says so",
+          "[app][verify][scaling_map]") {
+    const Folder f;
+    const Outcome o = similitude(
+        {"verify", "scaling-map", "--tiny", "--budget", "1 us", "--out", f / "out", "--json", "-"});
+    CHECK(o.code == 4);
+    CHECK(o.json().at("heaps").empty());
+    CHECK(o.json().at("heaps_planned") == 4);
+    CHECK(o.json().at("cells").at(0).at("verdict") == "not_decided");
+}
+
+TEST_CASE("verify scaling-map: shards and budgets that are none are refused",
+          "[app][verify][scaling_map][input]") {
+    for (const char* shard : {"3/2", "0/2", "1", "1/2x"}) {
+        const Outcome o = similitude({"verify", "scaling-map", "--tiny", "--shard", shard});
+        CHECK(o.code == 2);
+        CHECK(o.err.find("--shard") != std::string::npos);
+    }
+    CHECK(similitude({"verify", "scaling-map", "--tiny", "--budget", "12"}).code == 2);
+}
