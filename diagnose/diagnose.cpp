@@ -143,6 +143,13 @@ Verdict diagnose(const cases::Case& stated, const Settings& settings,
         if (!j.one_is_enough()) {
             j.report(0.55, "pairs of effects");
             j.fit_pairs();
+            // What one effect left could hide the tails, or look like them.
+            j.innovations = heavy_tails(j.richest(), *j.whiten);
+            if (j.best_fails()) {
+                j.report(0.7, "pairs of effects, from more places");
+                j.search_pairs_again();
+                j.refit_all();
+            }
         }
     }
     j.report(0.8, "weighing");

@@ -98,6 +98,36 @@ void Judge::fit_pairs() {
     forces = with_missing_force(problem, *whiten, base, force_terms);
 }
 
+// Every other effect added to the best singles and to the members of the best pair, from as many places as a single is. Vibrations
+// have had their own wide search.
+void Judge::search_pairs_again() {
+    std::vector<std::size_t> members = best_of(singles, 4);
+    for (const std::size_t k : best_of(pairs, 1))
+        for (const Term* t : pairs[k].h.terms) {
+            const auto at = static_cast<std::size_t>(t - terms.data());
+            if (std::find(members.begin(), members.end(), at) == members.end())
+                members.push_back(at);
+        }
+    std::vector<std::pair<std::size_t, std::size_t>> list;
+    for (const std::size_t a : members)
+        for (std::size_t b = 0; b < terms.size(); ++b)
+            if (terms[a].effect != terms[b].effect && terms[a].effect != "vibration" &&
+                terms[b].effect != "vibration")
+                list.push_back({a, b});
+    std::vector<Candidate> found(list.size());
+    in_parallel(list.size(), settings.threads, [&](std::size_t k) {
+        found[k] = extended(problem, *whiten, singles[list[k].first], terms[list[k].second]);
+        found[k].unseen = 0.0;
+        found[k].log_evidence = found[k].fit.log_evidence;
+    });
+    constexpr std::size_t deepened = 8;
+    const std::vector<std::size_t> best = best_of(found, deepened);
+    in_parallel(best.size(), settings.threads,
+                [&](std::size_t k) { deepen(problem, *whiten, found[best[k]], nullptr); });
+    pairs.insert(pairs.end(), found.begin(), found.end());
+    drop_idle(pairs, singles);
+}
+
 void Judge::estimate_noise() {
     const Candidate& rich = richest();
     noise = estimated(problem, problem.recorded - rich.fit.prediction, rich.h.unknowns.size());
@@ -166,6 +196,15 @@ double Judge::own_p(const Candidate& c) const {
     const std::vector<Shape> list = shapes_about(c);
     const double p = test(c, list, few_draws);
     return p > 10.0 * own_level ? p : test(c, list, many_draws);
+}
+
+// Whether what explains most fails its own test of mismatch.
+bool Judge::best_fails() const {
+    const Candidate* best = &base;
+    for (const std::vector<Candidate>* list : {&singles, &pairs})
+        for (const Candidate& c : *list)
+            if (c.log_evidence > best->log_evidence) best = &c;
+    return own_p(*best) < own_level;
 }
 
 // Whether the effect of most evidence leaves nothing to a second one: it passes its own test of mismatch and all gates, and no

@@ -56,6 +56,7 @@ struct Judge {
     const Candidate* artefact() const;  // the single numerical_artefact; null where there is none
     void fit_singles();
     void fit_pairs();
+    void search_pairs_again();  // where even the best two leave a mismatch
     void estimate_noise();
     void
     set_outliers_aside();  // single values far from what even the best fit says; the verdict warns
@@ -65,6 +66,7 @@ struct Judge {
     // Of its own test of mismatch; more draws where a few leave it near own_level.
     double own_p(const Candidate&) const;
     bool one_is_enough() const;
+    bool best_fails() const;
     double p_of_best_gain() const;
 };
 

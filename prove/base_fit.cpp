@@ -147,4 +147,15 @@ Fit base_fit(const Skeleton& sk, const std::vector<std::size_t>& list,
     return best;
 }
 
+std::vector<World> far_from(const Skeleton& sk, const std::vector<std::size_t>& list,
+                            const World& world, std::vector<Setup> setups,
+                            const Eigen::VectorXd& wanted, std::size_t most) {
+    std::vector<Unknown> nuisances, free;
+    for (const Unknown& u : base_unknowns(sk, list))
+        (u.in_world == nullptr ? nuisances : free).push_back(u);
+    if (free.empty()) return {};
+    const Fit begin = fit(world, setups, nuisances, sk.noise, wanted, 3);
+    return best_of(grid_of(world, free), {begin.setups, wanted}, sk.noise, begin, most);
+}
+
 }  // namespace prove

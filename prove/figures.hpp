@@ -33,6 +33,11 @@ double likelihood_ratio_power(double lambda, int freedom);
 // minima.
 Fit base_fit(const Skeleton&, const std::vector<std::size_t>& list, const Eigen::VectorXd& wanted);
 
+// Worlds with the free parameters of the user's model elsewhere in their ranges, the `most` that leave least once the stated
+// conditions have answered at first order; none where no parameter is free.
+std::vector<World> far_from(const Skeleton&, const std::vector<std::size_t>& list, const World&,
+                            std::vector<Setup>, const Eigen::VectorXd& wanted, std::size_t most);
+
 struct TrueInterval {
     std::string experiment, channel, ordinate, unit;
     double from, to;

@@ -218,7 +218,22 @@ double left_by(const Skeleton& drawn, const World& truth, const Term& t,
                const std::vector<std::size_t>& list) {
     const Skeleton sk = stated_truly(drawn);
     const Eigen::VectorXd wanted = predict(truth, chosen(sk.truth, list));
-    return searched(sk, t, list, wanted, begins_of(sk, list, wanted)).cost();
+    const Begins begins = begins_of(sk, list, wanted);
+    Fit best = searched(sk, t, list, wanted, begins);
+    // One of two that are true may do the work of both, with the free parameters far from where they are.
+    constexpr std::size_t places = 5;
+    std::vector<std::vector<double>> starts = starts_of({&t}, 3);
+    starts.emplace_back();
+    for (const Unknown& u : t.unknowns) starts.back().push_back(value_of(u, truth, sk.truth));
+    for (const std::vector<double>& start : starts) {
+        std::vector<Setup> setups = begins.truth.setups;
+        const World w = with_values(t, start, begins.truth.world, setups);
+        for (const World& far : far_from(sk, list, w, setups, wanted, places)) {
+            Fit f = fit(far, setups, unknowns_with(sk, {&t}, list), sk.noise, wanted, 12, 1e-3);
+            if (f.cost() < best.cost()) best = std::move(f);
+        }
+    }
+    return best.cost();
 }
 
 Separation pair_separation(const Skeleton& drawn, const World& truth,
