@@ -101,7 +101,7 @@ void Judge::fit_pairs() {
 // Every other effect added to the best singles and to the members of the best pair, from as many places as a single is. Vibrations
 // have had their own wide search.
 void Judge::search_pairs_again() {
-    std::vector<std::size_t> members = best_of(singles, 4);
+    std::vector<std::size_t> members = best_of(singles, 2);
     for (const std::size_t k : best_of(pairs, 1))
         for (const Term* t : pairs[k].h.terms) {
             const auto at = static_cast<std::size_t>(t - terms.data());
@@ -120,7 +120,7 @@ void Judge::search_pairs_again() {
         found[k].unseen = 0.0;
         found[k].log_evidence = found[k].fit.log_evidence;
     });
-    constexpr std::size_t deepened = 8;
+    constexpr std::size_t deepened = 3;
     const std::vector<std::size_t> best = best_of(found, deepened);
     in_parallel(best.size(), settings.threads,
                 [&](std::size_t k) { deepen(problem, *whiten, found[best[k]], nullptr); });

@@ -28,22 +28,17 @@ std::string interval_text(const verify::MapReading& r) {
 
 std::string fate_of(const AdvisedGrain& g) {
     if (!g.unusable.empty()) return "no such grain";
-    const std::string says =
-        std::string(verify::to_string(g.says())) + (g.says() == AngleSays::within   ? " tolerance"
-                                                    : g.says() == AngleSays::beyond ? " tolerance"
-                                                                                    : "");
-    return says + (g.outside() ? ", partly beyond the map" : "") +
-           (g.affordable ? "" : ", over the budget");
+    return std::string(verify::to_string(g.says())) + (g.outside() ? ", beyond the map" : "") +
+           (g.affordable ? "" : ", too dear");
 }
 
 TextTable rows_of(const Advice& a) {
-    TextTable rows{{"rule", "h", "E'/E", "D/d", "F_po/(m g)", "E/(rho g d)", "w, J/m^2", "grains",
-                    "time", "angle moves, deg", "verdict"}};
+    TextTable rows{{"rule", "h", "D/d", "F_po/(m g)", "w, J/m^2", "grains", "time",
+                    "angle moves, deg", "angle"}};
     for (const AdvisedGrain& g : a.considered)
-        rows.push_back({words(g.rule), number(g.h), number(g.softening), number(g.size_ratio),
-                        number(g.bond), number(g.elasticity), number(g.work_of_adhesion),
-                        count(g.grains), quantity(g.seconds, "s"), interval_text(g.coarse),
-                        fate_of(g)});
+        rows.push_back({words(g.rule), number(g.h), number(g.size_ratio), number(g.bond),
+                        number(g.work_of_adhesion), count(g.grains), quantity(g.seconds, "s"),
+                        interval_text(g.coarse), fate_of(g)});
     return rows;
 }
 
@@ -140,8 +135,7 @@ std::string text_of(const Advice& a) {
                         number(a.powder.bond));
     text += fmt::format("asked: {} a heap, angle within {} deg; map: {}\n\n",
                         quantity(a.budget, "s"), number(a.tolerance), a.map);
-    text +=
-        columns(rows_of(a), {false, true, true, true, true, true, true, true, true, false, false});
+    text += columns(rows_of(a), {false, true, true, true, true, true, true, false, false});
     text += "\n";
     for (const std::string& s : sentences_of(a)) text += wrapped(s, 100, 2) + "\n";
     if (!a.next.empty()) text += "\n" + a.next + "\n";

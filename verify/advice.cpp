@@ -36,7 +36,8 @@ void add_cell(MapReading& r, const MapCell& c, double tolerance, bool first) {
         if (!is_angle(q) || !std::isfinite(q.interval.low + q.interval.high)) continue;
         any = true;
         says = worse(says, says_of(q.interval.low, q.interval.high, tolerance));
-        r.low = std::min(r.low, q.interval.low), r.high = std::max(r.high, q.interval.high);
+        r.low = r.spread ? std::min(r.low, q.interval.low) : q.interval.low;
+        r.high = r.spread ? std::max(r.high, q.interval.high) : q.interval.high;
         const double sd = std::max(q.reference.standard_deviation, q.scaled.standard_deviation);
         r.spread = std::max(r.spread.value_or(0.0), sd);
     }
