@@ -101,6 +101,8 @@ void Judge::fit_pairs() {
 // Every other effect added to the best singles and to the members of the best pair, from as many places as a single is. Vibrations
 // have had their own wide search.
 void Judge::search_pairs_again() {
+    constexpr std::size_t most_rows = 1200;  // more take longer than a case may
+    if (problem.size > most_rows) return;
     std::vector<std::size_t> members = best_of(singles, 2);
     for (const std::size_t k : best_of(pairs, 1))
         for (const Term* t : pairs[k].h.terms) {
