@@ -28,7 +28,10 @@ std::string interval_text(const verify::MapReading& r) {
 
 std::string fate_of(const AdvisedGrain& g) {
     if (!g.unusable.empty()) return "no such grain";
-    return std::string(verify::to_string(g.says())) + (g.outside() ? ", beyond the map" : "") +
+    const char* angle = g.says() == AngleSays::within   ? "stays"
+                        : g.says() == AngleSays::beyond ? "moves"
+                                                        : "open";
+    return std::string(angle) + (g.outside() ? ", beyond the map" : "") +
            (g.affordable ? "" : ", too dear");
 }
 
