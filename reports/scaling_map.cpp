@@ -98,7 +98,7 @@ TextTable rows_of(const ScalingMap& map, const std::string& study) {
 
 // Margins as a table, each with its reason.
 RunSection margins_section() {
-    RunSection s{.name = "Margins, stated before any heap was poured",
+    RunSection s{.name = "Margins, stated before the map was poured",
                  .verdict = {Answer::yes, "One table for all cells", ""},
                  .notes = {},
                  .figure = {},

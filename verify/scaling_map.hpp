@@ -75,7 +75,7 @@ inline constexpr const char* map_studies[] = {"coarse_graining", "softening",   
                                               "base_over_grain", "drop_height", "feed_rate",
                                               "time_step"};
 
-// Stated before any heap was poured. `relative`: a share of the reference's value, for single impacts, which are exact.
+// Stated before the map was poured. `relative`: a share of the reference's value, for single impacts, which are exact.
 struct MapMargin {
     const char *name, *unit;
     double margin;
