@@ -58,6 +58,13 @@ std::vector<std::string> sentences_of(const Advice& a) {
     for (const std::string& l : lost) what += (what.empty() ? "" : ", ") + words(l);
     list.push_back(what.empty() ? "Lost by the cells that were read: nothing that they can show."
                                 : "Lost by the cells that were read: " + what + ".");
+    if (a.check)
+        for (const verify::Quantity& q : a.check->quantities)
+            if (q.reference.count > 1 && q.scaled.count > 1 && !q.test.equivalent)
+                list.push_back(fmt::format(
+                    "Not kept in the check: {}, from {} to {} [{}, {}] {}.", words(q.name),
+                    number(q.reference.mean), number(q.scaled.mean), number(q.test.interval.low),
+                    number(q.test.interval.high), q.unit == "1" ? "apart" : q.unit + " apart"));
     for (const std::string& note : a.notes)
         list.push_back("Changed beside the grain: " + note + ".");
     list.push_back(fmt::format(
