@@ -5,6 +5,7 @@
 #include "app/interrupt.hpp"
 #include "app/machine_speed.hpp"
 #include "app/progress.hpp"
+#include "app/remembered_campaign.hpp"
 #include "app/scale_input.hpp"
 #include "app/scaled_case.hpp"
 #include "cases/messages.hpp"
@@ -198,15 +199,7 @@ verify::Comparison checked(const Work& w, const reports::Advice& a, const Advise
                                        rigs::pile_setup(read, read.experiments.front(), seed)};
             })));
     }
-    verify::Campaign campaign;
-    campaign.threads = threads_of(o.common);
-    campaign.remembered_in = fs::path(w.out) / "heaps";
-    campaign.stop = &interrupt_flag();
-    campaign.progress = [&progress](double done, double of, const std::string& ended) {
-        progress.show(done, of, ended.empty() ? "heaps" : "heaps, last finished: " + ended);
-    };
-    if (!o.common.resume) fs::remove_all(campaign.remembered_in);
-    plan.run(campaign);
+    plan.run(remembered_campaign(o.common, fs::path(w.out) / "heaps", progress, "heaps"));
     const double nu = w.c.grain.poisson_ratio.value.value();
     const AdvisedGrain& g = a.considered[*a.chosen];
     verify::Side sides[2] = {

@@ -6,6 +6,7 @@
 #include "app/interrupt.hpp"
 #include "app/machine_speed.hpp"
 #include "app/progress.hpp"
+#include "app/remembered_campaign.hpp"
 #include "app/scale_input.hpp"
 #include "app/scaling_map.hpp"
 #include "app/verify_against.hpp"
@@ -54,16 +55,8 @@ constexpr const char* examples = R"(Examples:
       a powder of larger grains compressed and crushed, by the rule of its adhesion)";
 
 verify::Campaign campaign_of(const VerifyOptions& o, Progress& progress) {
-    const std::filesystem::path remembered = std::filesystem::path(o.out) / "similitude-heaps";
-    if (!o.common.resume) std::filesystem::remove_all(remembered);
-    verify::Campaign campaign;
-    campaign.threads = threads_of(o.common);
-    campaign.remembered_in = remembered;
-    campaign.stop = &interrupt_flag();
-    campaign.progress = [&progress](double done, double of, const std::string& ended) {
-        progress.show(done, of, ended.empty() ? "heaps" : "heaps, last finished: " + ended);
-    };
-    return campaign;
+    return remembered_campaign(o.common, std::filesystem::path(o.out) / "similitude-heaps",
+                               progress, "heaps");
 }
 
 verify::Extent extent_of(const VerifyOptions& o) {

@@ -4,6 +4,7 @@
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
 #include "app/progress.hpp"
+#include "app/remembered_campaign.hpp"
 #include "reports/compression.hpp"
 #include "verify/compression_study.hpp"
 
@@ -36,16 +37,8 @@ verify::CompressionPlan plan_of(const CompressionOptions& o) {
 // Nothing where a signal came.
 std::optional<verify::CompressionStudy> studied(const CompressionOptions& o) {
     Progress progress(!o.common.quiet);
-    const std::filesystem::path remembered =
-        std::filesystem::path(o.out) / "similitude-compression";
-    if (!o.common.resume) std::filesystem::remove_all(remembered);
-    verify::Campaign campaign;
-    campaign.threads = threads_of(o.common);
-    campaign.remembered_in = remembered;
-    campaign.stop = &interrupt_flag();
-    campaign.progress = [&progress](double done, double of, const std::string& ended) {
-        progress.show(done, of, ended.empty() ? "samples" : "samples, last finished: " + ended);
-    };
+    const verify::Campaign campaign = remembered_campaign(
+        o.common, std::filesystem::path(o.out) / "similitude-compression", progress, "samples");
     try {
         return verify::compression_study(plan_of(o), o.common.seed, campaign);
     } catch (const verify::Interrupted&) {

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "verify/compression_runs.hpp"
 
+#include "verify/remembered_file.hpp"
+#include "verify/run_queue.hpp"
+
 #include <fmt/format.h>
 
 #include <array>
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
-#include <mutex>
 #include <optional>
-#include <thread>
+#include <utility>
 
 namespace verify {
 namespace {
@@ -32,12 +34,6 @@ std::string described(const CompressionJob& job) {
     for (std::size_t k = 0; k < s.radius.size(); ++k)
         add(s.radius[k], s.place[k].x, s.place[k].y, s.place[k].z);
     return text;
-}
-
-std::uint64_t fnv1a(const std::string& text) {
-    std::uint64_t state = 14695981039346656037ULL;
-    for (const char c : text) state = (state ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-    return state;
 }
 
 void add_row(StressStrain& curve, const rigs::CompressionRow& row) {
@@ -86,23 +82,15 @@ auto lists_of(auto& s) {
     return std::array{&s.confined.strain, &s.confined.stress, &s.crushed.strain, &s.crushed.stress};
 }
 
-void remember(const CompressionSample& s, const std::filesystem::path& file) {
-    std::filesystem::create_directories(file.parent_path());
-    std::filesystem::path unfinished = file;
-    unfinished += ".tmp";
-    {
-        std::ofstream out(unfinished);
-        for (const double* number : numbers_of(s)) out << fmt::format("{:a}\n", *number);
-        for (const std::vector<double>* list : lists_of(s)) {
-            out << list->size();
-            for (const double value : *list) out << fmt::format(" {:a}", value);
-            out << '\n';
-        }
-        out << s.hash << "\nend\n";
-        if (!out.flush())
-            throw std::runtime_error(unfinished.string() + ": cannot be written (disk full?)");
+std::string to_text(const CompressionSample& s) {
+    std::string text;
+    for (const double* number : numbers_of(s)) text += fmt::format("{:a}\n", *number);
+    for (const std::vector<double>* list : lists_of(s)) {
+        text += fmt::format("{}", list->size());
+        for (const double value : *list) text += fmt::format(" {:a}", value);
+        text += '\n';
     }
-    std::filesystem::rename(unfinished, file);
+    return text + fmt::format("{}\nend\n", s.hash);
 }
 
 // Nothing if the file is not there or not whole.
@@ -132,24 +120,7 @@ double expected_work(const CompressionJob& job) {  // grain-steps
            static_cast<double>(rigs::expected_steps(job.setup));
 }
 
-// Shared by the workers of one campaign.
-struct Queue {
-    const std::vector<CompressionJob>& jobs;
-    const Campaign& campaign;
-    std::vector<std::optional<CompressionSample>> samples;
-    std::vector<double> done;  // grain-steps
-    double total = 0.0;
-    std::size_t next = 0;
-    std::mutex mutex{};
-    std::exception_ptr fault{};
-
-    bool stopped() const { return campaign.stop != nullptr && campaign.stop->load(); }
-    void tell(const std::string& ended) {
-        double sum = 0.0;
-        for (const double part : done) sum += part;
-        if (campaign.progress) campaign.progress(sum, total, ended);
-    }
-};
+using Queue = RunQueue<CompressionJob, CompressionSample>;
 
 void run_one(Queue& queue, std::size_t index) {
     const CompressionJob& job = queue.jobs[index];
@@ -168,28 +139,10 @@ void run_one(Queue& queue, std::size_t index) {
     const CompressionSample sample = sample_of(run, job, seconds.count());
     const std::lock_guard lock(queue.mutex);
     if (!queue.campaign.remembered_in.empty())
-        remember(sample, file_of(job, queue.campaign.remembered_in));
+        write_whole(file_of(job, queue.campaign.remembered_in), to_text(sample));
     queue.samples[index] = sample;
     queue.done[index] = work;
     queue.tell(job.name);
-}
-
-void work(Queue& queue) {
-    for (;;) {
-        std::size_t index = 0;
-        {
-            const std::lock_guard lock(queue.mutex);
-            while (queue.next < queue.jobs.size() && queue.samples[queue.next]) ++queue.next;
-            if (queue.next >= queue.jobs.size() || queue.stopped() || queue.fault) return;
-            index = queue.next++;
-        }
-        try {
-            run_one(queue, index);
-        } catch (...) {
-            const std::lock_guard lock(queue.mutex);
-            queue.fault = std::current_exception();
-        }
-    }
 }
 
 }  // namespace
@@ -200,26 +153,14 @@ std::filesystem::path file_of(const CompressionJob& job, const std::filesystem::
 
 std::vector<CompressionSample> run_compressions(const std::vector<CompressionJob>& jobs,
                                                 const Campaign& campaign) {
-    Queue queue{.jobs = jobs,
-                .campaign = campaign,
-                .samples = std::vector<std::optional<CompressionSample>>(jobs.size()),
-                .done = std::vector<double>(jobs.size(), 0.0)};
+    Queue queue(jobs, campaign);
     for (std::size_t k = 0; k < jobs.size(); ++k) {
-        queue.total += expected_work(jobs[k]);
-        if (campaign.remembered_in.empty()) continue;
-        queue.samples[k] = remembered(jobs[k], file_of(jobs[k], campaign.remembered_in));
-        if (queue.samples[k]) queue.done[k] = expected_work(jobs[k]);
+        std::optional<CompressionSample> known;
+        if (const auto& folder = campaign.remembered_in; !folder.empty())
+            known = remembered(jobs[k], file_of(jobs[k], folder));
+        queue.expect(k, expected_work(jobs[k]), std::move(known));
     }
-    std::vector<std::thread> workers;
-    for (int k = 0; k < campaign.threads; ++k) workers.emplace_back([&] { work(queue); });
-    for (std::thread& worker : workers) worker.join();
-    if (queue.fault) std::rethrow_exception(queue.fault);
-    std::vector<CompressionSample> samples;
-    for (std::optional<CompressionSample>& sample : queue.samples) {
-        if (!sample) throw Interrupted{};
-        samples.push_back(std::move(*sample));
-    }
-    return samples;
+    return queue.run(campaign.threads, run_one);
 }
 
 }  // namespace verify

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "verify/pile_runs.hpp"
 
+#include "verify/remembered_file.hpp"
+#include "verify/run_queue.hpp"
+
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <mutex>
 #include <numbers>
-#include <sstream>
-#include <thread>
+#include <utility>
 
 namespace verify {
 namespace {
@@ -60,12 +61,6 @@ std::string described(const rigs::PileSetup& s) {
     for (const auto* list : {&s.feed_time, &s.feed_x, &s.feed_y, &s.radius, &s.materials.density})
         for (const double value : *list) add(value);
     return text;
-}
-
-std::uint64_t fnv1a(const std::string& text) {
-    std::uint64_t state = 14695981039346656037ULL;
-    for (const char c : text) state = (state ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-    return state;
 }
 
 PileSample sample_of(const rigs::PileEnd& end, const PileJob& job, double seconds) {
@@ -171,38 +166,7 @@ std::optional<PileSample> remembered(const PileJob& job, const std::filesystem::
     return s;
 }
 
-void remember(const PileSample& sample, const std::filesystem::path& file) {
-    std::filesystem::create_directories(file.parent_path());
-    std::filesystem::path unfinished = file;
-    unfinished += ".tmp";
-    {
-        std::ofstream out(unfinished);
-        out << to_text(sample);
-        if (!out.flush())
-            throw std::runtime_error(unfinished.string() + ": cannot be written (disk full?)");
-    }
-    std::filesystem::rename(unfinished, file);
-}
-
-// Shared by the workers of one campaign.
-struct Queue {
-    const std::vector<PileJob>& jobs;
-    const Campaign& campaign;
-    std::vector<std::optional<PileSample>> samples;
-    std::vector<double> done;  // grain-steps
-    double total = 0.0;
-    std::size_t next = 0;
-    std::mutex mutex{};
-    std::exception_ptr fault{};
-
-    bool stopped() const { return campaign.stop != nullptr && campaign.stop->load(); }
-
-    void tell(const std::string& ended) {
-        double sum = 0.0;
-        for (const double part : done) sum += part;
-        if (campaign.progress) campaign.progress(sum, total, ended);
-    }
-};
+using Queue = RunQueue<PileJob, PileSample>;
 
 // Nothing where it was stopped. `show` hears how many steps are done.
 std::optional<rigs::PileEnd> run_here(const Queue& queue, const rigs::PileSetup& setup,
@@ -235,28 +199,10 @@ void run_one(Queue& queue, std::size_t index) {
     const PileSample sample = sample_of(*end, job, seconds.count());
     const std::lock_guard lock(queue.mutex);
     if (!queue.campaign.remembered_in.empty())
-        remember(sample, file_of(job, queue.campaign.remembered_in, engine));
+        write_whole(file_of(job, queue.campaign.remembered_in, engine), to_text(sample));
     queue.samples[index] = sample;
     queue.done[index] = expected;
     queue.tell(job.name);
-}
-
-void work(Queue& queue) {
-    for (;;) {
-        std::size_t index = 0;
-        {
-            const std::lock_guard lock(queue.mutex);
-            while (queue.next < queue.jobs.size() && queue.samples[queue.next]) ++queue.next;
-            if (queue.next >= queue.jobs.size() || queue.stopped() || queue.fault) return;
-            index = queue.next++;
-        }
-        try {
-            run_one(queue, index);
-        } catch (...) {
-            const std::lock_guard lock(queue.mutex);
-            queue.fault = std::current_exception();
-        }
-    }
 }
 
 }  // namespace
@@ -281,7 +227,7 @@ std::optional<PileSample> remembered_pile(const PileJob& job, const std::filesys
 
 void remember_pile(const PileSample& sample, const PileJob& job,
                    const std::filesystem::path& folder) {
-    remember(sample, file_of(job, folder));
+    write_whole(file_of(job, folder), to_text(sample));
 }
 
 double expected_grain_steps(const rigs::PileSetup& s) {
@@ -291,29 +237,14 @@ double expected_grain_steps(const rigs::PileSetup& s) {
 }
 
 std::vector<PileSample> run_piles(const std::vector<PileJob>& jobs, const Campaign& campaign) {
-    Queue queue{.jobs = jobs,
-                .campaign = campaign,
-                .samples = std::vector<std::optional<PileSample>>(jobs.size()),
-                .done = std::vector<double>(jobs.size(), 0.0)};
+    Queue queue(jobs, campaign);
     for (std::size_t k = 0; k < jobs.size(); ++k) {
-        const double expected = expected_grain_steps(jobs[k].setup);
-        queue.total += expected;
-        const auto file = file_of(jobs[k], campaign.remembered_in, campaign.engine);
-        if (campaign.remembered_in.empty()) continue;
-        queue.samples[k] = remembered(jobs[k], file);
-        if (queue.samples[k]) queue.done[k] = expected;
+        std::optional<PileSample> known;
+        if (const auto& folder = campaign.remembered_in; !folder.empty())
+            known = remembered(jobs[k], file_of(jobs[k], folder, campaign.engine));
+        queue.expect(k, expected_grain_steps(jobs[k].setup), std::move(known));
     }
-    std::vector<std::thread> workers;
-    const int piles_at_a_time = campaign.engine != nullptr ? 1 : campaign.threads;
-    for (int k = 0; k < piles_at_a_time; ++k) workers.emplace_back([&] { work(queue); });
-    for (std::thread& worker : workers) worker.join();
-    if (queue.fault) std::rethrow_exception(queue.fault);
-    std::vector<PileSample> samples;
-    for (std::optional<PileSample>& sample : queue.samples) {
-        if (!sample) throw Interrupted{};
-        samples.push_back(std::move(*sample));
-    }
-    return samples;
+    return queue.run(campaign.engine != nullptr ? 1 : campaign.threads, run_one);
 }
 
 }  // namespace verify

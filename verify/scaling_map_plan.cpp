@@ -5,6 +5,7 @@
 #include "scaling/adhesion.hpp"
 #include "scaling/scale_map.hpp"
 #include "scaling/schemes.hpp"
+#include "verify/remembered_file.hpp"
 
 #include <fmt/format.h>
 
@@ -190,11 +191,7 @@ MapPlan full_plan() {
 }
 
 // FNV-1a of the pile's name: seeds of a pile do not move when the plan gets another one.
-std::uint64_t own_seeds(const std::string& name) {
-    std::uint64_t state = 14695981039346656037ULL;
-    for (const char c : name) state = (state ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-    return state % 1'000'000 * 1000;
-}
+std::uint64_t own_seeds(const std::string& name) { return fnv1a(name) % 1'000'000 * 1000; }
 
 }  // namespace
 
