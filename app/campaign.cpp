@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "app/campaign.hpp"
 
-#include "app/child.hpp"
 #include "app/common.hpp"
-#include "app/exit_code.hpp"
+#include "app/judging.hpp"
 #include "cases/json_tree.hpp"
 #include "prove/baselines.hpp"
 #include "prove/record.hpp"
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <exception>
-#include <fstream>
 #include <mutex>
 #include <optional>
 #include <set>
-#include <thread>
 #include <vector>
 
 namespace app {
@@ -25,22 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
-
-// A folder of verdicts: NAME.json, and NAME.ended, written last, which says how the judge ended.
-fs::path ended(const fs::path& verdicts, const std::string& name) {
-    return verdicts / (name + ".ended");
-}
-
-bool is_verdict(const ChildEnd& end) {
-    return end.exit_code && (*end.exit_code == fine || *end.exit_code == answer_is_no ||
-                             *end.exit_code == cannot_tell);
-}
-
-std::string how(const ChildEnd& end) {
-    if (end.out_of_time) return "out of time";
-    return end.exit_code ? fmt::format("exit {}", *end.exit_code)
-                         : fmt::format("signal {}", end.signal);
-}
 
 class Worker {
   public:
@@ -78,27 +57,9 @@ class Worker {
     void judge(const fs::path& folder, const fs::path& verdicts, const std::string& name,
                std::uint64_t seed) {
         if (stop_ || (campaign_.resume && fs::exists(ended(verdicts, name)))) return;
-        fs::create_directories(verdicts);
-        const fs::path verdict = verdicts / (name + ".json");
-        fs::remove(verdict);
-        const ChildEnd end =
-            run_child({campaign_.judge, "diagnose", folder.string(), "--json", verdict.string(),
-                       "--seed", std::to_string(seed), "--threads", "1", "--quiet"},
-                      campaign_.limit, stop_);
-        if (stop_ && !end.exit_code) return;
-        if (!is_verdict(end)) fs::remove(verdict);  // it may have been cut off
-        write_end(verdicts, name,
-                  {{"ended", how(end)},
-                   {"is_verdict", is_verdict(end)},
-                   {"cpu_seconds", end.cpu_seconds},
-                   {"words", end.last_words}});
-    }
-
-    static void write_end(const fs::path& verdicts, const std::string& name,
-                          const ordered_json& record) {
-        constexpr auto as_is = ordered_json::error_handler_t::replace;
-        fs::create_directories(verdicts);
-        write_file(ended(verdicts, name).string(), record.dump(2, ' ', false, as_is) + "\n");
+        judge_case({campaign_.judge, "diagnose", folder.string(), "--seed", std::to_string(seed),
+                    "--threads", "1"},
+                   verdicts, name, campaign_.limit, stop_);
     }
 
     template <class Again>
@@ -116,11 +77,7 @@ class Worker {
             for (const auto& [file, content] : prove::record(again(), campaign_.extent.seed, wish))
                 write_file((folder / file).string(), content);
         } catch (const std::exception& e) {  // a wish that nobody can fulfil
-            write_end(after, name,
-                      {{"ended", "not recorded"},
-                       {"is_verdict", false},
-                       {"cpu_seconds", 0.0},
-                       {"words", e.what()}});
+            not_judged(after, name, "not recorded", e.what());
             return;
         }
         judge(folder, after, name, campaign_.judge_seed);
@@ -137,29 +94,6 @@ class Worker {
     const Campaign& campaign_;
     const std::atomic<bool>& stop_;
 };
-
-// each(k) for k in [0, count), by so many threads; the first exception is thrown on.
-void share(std::size_t count, int threads, const std::atomic<bool>& stop,
-           const std::function<void(std::size_t)>& each) {
-    std::atomic<std::size_t> next{0};
-    std::exception_ptr fault;
-    std::mutex guard;
-    const auto turn = [&] {
-        for (std::size_t k; !stop && (k = next++) < count;) try {
-                each(k);
-            } catch (...) {
-                const std::lock_guard lock(guard);
-                if (!fault) fault = std::current_exception();
-                next = count;
-            }
-    };
-    {
-        std::vector<std::jthread> team;
-        for (int t = 1; t < threads; ++t) team.emplace_back(turn);
-        turn();
-    }
-    if (fault) std::rethrow_exception(fault);
-}
 
 std::set<std::string> names_of(const Campaign& campaign) {
     std::set<std::string> names;
@@ -183,22 +117,6 @@ std::vector<std::string> stable_cases(const Campaign& campaign) {
         if (key.kind == prove::Kind::single && key.separation.d >= clear) names.push_back(name);
     names.resize(std::min(names.size(), static_cast<std::size_t>(std::max(campaign.stability, 0))));
     return names;
-}
-
-Times times_of(const Campaign& campaign, const std::set<std::string>& names) {
-    Times times;
-    double sum = 0.0;
-    for (const std::string& name : names) {
-        std::ifstream in(ended(campaign.out / "verdicts", name));
-        const ordered_json record = ordered_json::parse(in, nullptr, false);
-        if (!record.is_object()) continue;
-        const double seconds = record.value("cpu_seconds", 0.0);
-        sum += seconds, times.longest = std::max(times.longest, seconds);
-        times.failures += record.value("is_verdict", false) ? 0 : 1;
-        ++times.count;
-    }
-    times.mean = times.count > 0 ? sum / times.count : 0.0;
-    return times;
 }
 
 }  // namespace
@@ -245,7 +163,7 @@ Result score(const Campaign& campaign) {
         judged.baselines["most common effect"].emplace(name, prove::commonest_verdict(keys));
         judged.baselines["oracle"].emplace(name, prove::oracle_verdict(key));
     }
-    return {prove::score(keys, judged), times_of(campaign, names)};
+    return {prove::score(keys, judged), times_of(campaign.out / "verdicts", names)};
 }
 
 }  // namespace app

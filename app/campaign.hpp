@@ -3,6 +3,7 @@
 // campaign can be stopped at any time and taken up again.
 #pragma once
 
+#include "app/judging.hpp"
 #include "prove/campaign.hpp"
 #include "prove/score.hpp"
 
@@ -32,11 +33,6 @@ constexpr int further_seeds = 19;
 bool work(const Campaign&,
           const std::function<void(double done, double of, const std::string& name)>& show,
           const std::atomic<bool>& stop);
-
-struct Times {
-    double mean = 0.0, longest = 0.0;  // s of processor time of a case's first judgement
-    int count = 0, failures = 0;  // crashes, refusals and time-outs, whose verdict counts as wrong
-};
 
 struct Result {
     prove::ScoreTable table;

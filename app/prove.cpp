@@ -3,6 +3,7 @@
 
 #include "app/campaign.hpp"
 #include "app/exit_code.hpp"
+#include "app/heap_campaign.hpp"
 #include "app/interrupt.hpp"
 #include "app/progress.hpp"
 #include "app/version.hpp"
@@ -25,6 +26,12 @@ struct ProveOptions {
     Campaign campaign;
     std::string out = "out/prove", kind;
     bool score_only = false;
+    CLI::Option* limit = nullptr;
+    std::string lammps = "lmp";
+    double size = 1.0;
+
+    bool heaps() const { return campaign.extent.rig == "pile"; }
+    HeapCampaign heap_campaign() const { return {campaign, lammps, size}; }
 };
 
 constexpr const char* examples = R"(Examples:
@@ -35,7 +42,9 @@ constexpr const char* examples = R"(Examples:
   similitude prove --cases 1200 --seed 7 --score-only --json out/score.json
       the score of all that has been judged so far
   similitude prove --cases 20 --seed 7 --kind single --rig drop --write-only --out out/drops
-      the first 20 of that seed that conceal one effect from a falling grain, judged by nobody)";
+      the first 20 of that seed that conceal one effect from a falling grain, judged by nobody
+  similitude prove --rig pile --cases 100 --seed 7 --resume
+      heaps whose truth LAMMPS pours, in families of 20 (docs/prove-heaps.md))";
 
 reports::Json json_of(const prove::Line& line) {
     reports::Json json = {{"figure", line.figure}, {"bar", line.bar}, {"count", line.count}};
@@ -75,7 +84,7 @@ reports::Json json_of(const Result& result, const ProveOptions& o, const std::st
 }
 
 int tell(const ProveOptions& o, const std::string& command) {
-    const Result result = score(o.campaign);
+    const Result result = o.heaps() ? score(o.heap_campaign()) : score(o.campaign);
     print(o.common,
           prove::text(result.table) +
               fmt::format("\nProcessor time of a verdict: {:.2f} s on average, {:.1f} s the "
@@ -99,6 +108,14 @@ int run(ProveOptions o, const std::string& command) {
     c.out = o.out;
     c.threads = threads_of(o.common);
     c.resume = o.common.resume;
+    if (o.heaps()) {
+        constexpr double longest = 2400.0;  // 20 minutes on two cores
+        if (o.limit->count() == 0) c.limit = longest;
+        if (c.extent.kind)
+            throw scaling::InvalidInput(scaling::mistake("--kind", '"' + o.kind + '"',
+                                                         "is of single grains' cases",
+                                                         "leave it out with --rig pile"));
+    }
     if (o.score_only) return tell(o, command);
     watch_interrupts();
     bool whole = false;
@@ -108,7 +125,8 @@ int run(ProveOptions o, const std::string& command) {
         const auto show = [&progress](double done, double of, const std::string& name) {
             progress.show(done, of, name);
         };
-        whole = work(c, show, interrupt_flag());
+        whole = o.heaps() ? work(o.heap_campaign(), show, interrupt_flag())
+                          : work(c, show, interrupt_flag());
     }
     if (!whole) {
         fmt::print(stderr, "similitude: interrupted; the same command with --resume goes on\n");
@@ -128,13 +146,22 @@ Verb prove_verb(CLI::App& app, const std::string& command) {
     verb->add_option("--cases", c.extent.cases, "how many")->capture_default_str();
     verb->add_option("--kind", options->kind,
                      "only null, single, look_alike, pair, outside or numerical");
-    verb->add_option("--rig", c.extent.rig, "only this rig");
+    verb->add_option("--rig", c.extent.rig,
+                     "only this rig of single grains; or pile: heaps, poured by LAMMPS");
+    verb->add_option("--lammps", options->lammps, "LAMMPS, for --rig pile")
+        ->type_name("PROGRAM")
+        ->capture_default_str();
+    verb->add_option("--size", options->size, "of --rig pile: 1000 times this many grains a heap")
+        ->check(CLI::Range(0.05, 100.0))
+        ->capture_default_str();
     verb->add_option("--shard", c.extent.shard, "i/n: every n-th case, beginning with the i-th")
         ->capture_default_str();
     verb->add_option("--out", options->out, "folder")->type_name("DIR")->capture_default_str();
-    verb->add_option("--limit", c.limit, "seconds of processor time for a case; then it is wrong")
-        ->check(CLI::Range(1.0, 1e5))
-        ->capture_default_str();
+    options->limit = verb->add_option("--limit", c.limit,
+                                      "seconds of processor time for a case; then it is wrong; "
+                                      "with --rig pile 2400 unless given")
+                         ->check(CLI::Range(1.0, 1e5))
+                         ->capture_default_str();
     verb->add_option("--judge-seed", c.judge_seed, "the seed that the judge is given")
         ->capture_default_str();
     verb->add_option("--stability", c.stability,

@@ -12,28 +12,9 @@ namespace {
 constexpr double z95 = 1.959963984540054;
 
 using score_parts::Judged;
+using score_parts::share;
 using score_parts::Tally;
-
-Line share(const char* figure, const char* bar, const Tally& t, double least, double most) {
-    Line line{figure, bar};
-    line.count = t.count;
-    line.bounds = wilson(t.hits, t.count);
-    if (t.count == 0) return line;
-    line.value = static_cast<double>(t.hits) / t.count;
-    if (least > 0.0 || most < 1.0) line.met = line.value >= least && line.value <= most;
-    return line;
-}
-
-template <class Takes, class Right>
-Tally tally(const std::vector<Judged>& all, const Takes& takes, const Right& right) {
-    Tally t;
-    for (const Judged& j : all) {
-        if (!takes(j)) continue;
-        ++t.count;
-        t.hits += right(j) ? 1 : 0;
-    }
-    return t;
-}
+using score_parts::tally;
 
 bool one_concealed(const Judged& j) {
     return j.key->kind == Kind::single || j.key->kind == Kind::look_alike;

@@ -58,6 +58,8 @@ struct Judgements {
 };
 
 ScoreTable score(const Keys&, const Judgements&);
+// Of blind heaps (docs/prove-heaps.md).
+ScoreTable heap_score(const Keys&, const Verdicts&);
 // Told plainly, a line each, then confusion matrix and reliability.
 std::string text(const ScoreTable&);
 

@@ -111,6 +111,16 @@ bool Judged::ambiguous_with_truth() const {
         [&](const Hypothesis& h) { return h.effects == truth && h.probability >= 0.05; });
 }
 
+Line share(const char* figure, const char* bar, const Tally& t, double least, double most) {
+    Line line{figure, bar};
+    line.count = t.count;
+    line.bounds = wilson(t.hits, t.count);
+    if (t.count == 0) return line;
+    line.value = static_cast<double>(t.hits) / t.count;
+    if (least > 0.0 || most < 1.0) line.met = line.value >= least && line.value <= most;
+    return line;
+}
+
 std::vector<Judged> judged(const Keys& keys, const Verdicts& first, const Verdicts* after) {
     std::vector<Judged> all;
     for (const auto& [name, key] : keys) {

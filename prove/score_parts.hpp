@@ -30,6 +30,20 @@ struct Judged {
 // Points into keys and verdicts, which must outlive it. `after`: with the recording asked for, or nullptr.
 std::vector<Judged> judged(const Keys&, const Verdicts& first, const Verdicts* after = nullptr);
 
+template <class Takes, class Right>
+Tally tally(const std::vector<Judged>& all, const Takes& takes, const Right& right) {
+    Tally t;
+    for (const Judged& j : all) {
+        if (!takes(j)) continue;
+        ++t.count;
+        t.hits += right(j) ? 1 : 0;
+    }
+    return t;
+}
+
+// `figure` is a share of `t`, met where it lies between `least` and `most`; 0 and 1: told without a bar.
+Line share(const char* figure, const char* bar, const Tally& t, double least, double most);
+
 Line macro_recall(const std::vector<Judged>&);  // D >= 5
 Line least_recall(const std::vector<Judged>&);
 Line worst_pair(const std::vector<Judged>&);

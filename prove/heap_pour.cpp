@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#include "prove/heap_pour.hpp"
+
+#include "prove/dice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+#include <stdexcept>
+
+namespace prove {
+namespace {
+
+constexpr double gravity = 9.81, pi = std::numbers::pi;
+
+struct Fed {
+    double x, y, z, radius, due;  // z of the centre where it appears at rest, due in s
+};
+
+double diameter_of(const Pour& p, Dice& dice) {
+    constexpr double most = 2.5;  // deviations: no grain is a speck or a boulder
+    double z = dice.normal();
+    while (std::abs(z) > most) z = dice.normal();
+    return p.grain.diameter * std::max(0.2, 1.0 + p.acts.size_spread * z);
+}
+
+// Grains that are in the air together fall alike, so where the next one is free can be told beforehand: the lowest place at or
+// above the drop height where it overlaps none of those that fall below it.
+std::vector<Fed> feed_of(const Pour& p) {
+    Dice dice(p.seed, 0, 11);
+    std::vector<Fed> all;
+    for (int k = 0; k < p.rig.grains; ++k) {
+        const double radius = 0.5 * diameter_of(p, dice);
+        const double r = (0.5 * p.rig.feed_diameter - radius) * std::sqrt(dice.uniform());
+        const double azimuth = dice.uniform(0.0, 2.0 * pi);
+        Fed g{r * std::cos(azimuth), r * std::sin(azimuth), p.rig.drop_height + radius, radius,
+              k / p.rig.feed_rate};
+        for (bool moved = true; moved;) {
+            moved = false;
+            for (auto other = all.rbegin(); other != all.rend(); ++other) {
+                const double since = g.due - other->due;
+                const double z = other->z - 0.5 * gravity * since * since;
+                if (z < -p.rig.drop_height) break;  // it has landed long since
+                const double reach = g.radius + other->radius;
+                const double gap2 =
+                    reach * reach - std::pow(g.x - other->x, 2) - std::pow(g.y - other->y, 2);
+                if (gap2 <= 0.0) continue;
+                const double free_above = z + std::sqrt(gap2);
+                constexpr double clear = 1e-9;
+                if (g.z < free_above - clear * reach && g.z > z - std::sqrt(gap2)) {
+                    g.z = free_above;
+                    moved = true;
+                }
+            }
+        }
+        all.push_back(g);
+    }
+    return all;
+}
+
+struct Place {
+    double x, y, z;
+};
+
+// The feed stands upright over the middle of the base, z along gravity; the deck's frame is that of the base, which leans down towards
+// the azimuth.
+Place in_base_frame(const Fed& g, double z, const HeapPhysics& a) {
+    const double c = std::cos(a.tilt_angle), s = std::sin(a.tilt_angle);
+    const double ex = std::cos(a.tilt_azimuth), ey = std::sin(a.tilt_azimuth);
+    const double along = g.x * ex + g.y * ey, across = -g.x * ey + g.y * ex;
+    const double u = along * c - z * s, w = along * s + z * c;
+    return {u * ex - across * ey, u * ey + across * ex, w};
+}
+
+std::vector<Place> base_grains(const Pour& p) {
+    const double d = p.grain.diameter, most = 0.5 * p.rig.base_diameter * (1.0 + 1e-12);
+    const int n = static_cast<int>(std::ceil(most / d)) + 1;
+    std::vector<Place> all;
+    for (int i = -n; i < n; ++i)
+        for (int j = -n; j < n; ++j) {
+            const double x = (i + 0.5) * d, y = (j + 0.5) * d;
+            if (std::hypot(x, y) <= most) all.push_back({x, y, -0.5 * d});
+        }
+    return all;
+}
+
+double mass(const Pour& p) { return p.grain.density * pi / 6.0 * std::pow(p.grain.diameter, 3); }
+
+// Force that tears two nominal grains apart: 3/2 pi w R*, R* = d/4 (Johnson, Kendall & Roberts 1971).
+double pull_off(const Pour& p) {
+    return 1.5 * pi * p.acts.work_of_adhesion * 0.25 * p.grain.diameter;
+}
+
+// A share of the time in which a Rayleigh wave crosses the smallest grain.
+double time_step(const Pour& p, const std::vector<Fed>& feed) {
+    double radius = 0.5 * p.grain.diameter;
+    for (const Fed& g : feed) radius = std::min(radius, g.radius);
+    const double nu = p.grain.poisson_ratio;
+    const double shear = 0.5 * p.grain.youngs_modulus / (1.0 + nu);
+    const double crossing =
+        pi * radius * std::sqrt(p.grain.density / shear) / (0.163 * nu + 0.8766);
+    return (p.acts.work_of_adhesion > 0.0 ? 0.1 : 0.15) * crossing;
+}
+
+// LAMMPS' own mixing: E* = E/(2 (1 - nu^2)) and 8 G* from the same E and nu; its surface energy is half the work of adhesion.
+// SDS rolling resists mu R* (F_n + 2 F_po) at most; its spring and dashpot are stiff enough to count as rigid: full after a roll of
+// mu d/100.
+std::string pair_of(const Pour& p) {
+    const Powder& g = p.grain;
+    const HeapPhysics& a = p.acts;
+    std::string text = a.work_of_adhesion > 0.0
+                           ? fmt::format("jkr {:.12g} {:.12g} {:.12g} {:.12g}", g.youngs_modulus,
+                                         g.restitution, g.poisson_ratio, 0.5 * a.work_of_adhesion)
+                           : fmt::format("hertz/material {:.12g} {:.12g} {:.12g}", g.youngs_modulus,
+                                         g.restitution, g.poisson_ratio);
+    text += fmt::format(" damping tsuji tangential mindlin_rescale NULL 1.0 {:.12g}",
+                        a.sliding_friction);
+    if (a.rolling_friction > 0.0) {
+        const double k = 100.0 * (mass(p) * gravity + 2.0 * pull_off(p)) / g.diameter;
+        text += fmt::format(" rolling sds {:.12g} {:.12g} {:.12g}", k, std::sqrt(k * mass(p)),
+                            a.rolling_friction);
+    }
+    return text;
+}
+
+std::string head(const Pour& p, double step, std::size_t glued) {
+    const double c = std::cos(p.acts.tilt_angle), s = std::sin(p.acts.tilt_angle);
+    return fmt::format(
+        R"(# A heap on glued grains: lmp -in deck.in -var folder . Written for LAMMPS of 29 Sep 2021; SI units.
+units si
+atom_style sphere
+boundary f f f
+# Sorting in between loses the springs of contacts in this release.
+atom_modify sort 0 0.0
+newton off
+comm_modify vel yes
+read_data ${{folder}}/grains.data
+# Grains that are still to come stand in a row above, where nothing moves them.
+group loose empty
+group glued type 2
+neighbor {skin:.12g} bin
+neigh_modify delay 0 every 1 check yes exclude group glued glued
+pair_style granular
+pair_coeff * * {pair}
+timestep {step:.12g}
+fix weight loose gravity {g:.12g} vector {gx:.12g} {gy:.12g} {gz:.12g}
+fix motion loose nve/sphere
+fix hold glued freeze
+compute way loose ke
+compute turn loose erotate/sphere
+thermo 1000000
+thermo_style custom step atoms c_way c_turn
+thermo_modify lost ignore
+# {n} glued grains, {m} to come.
+run 0 post no
+)",
+        fmt::arg("skin", 0.3 * p.grain.diameter), fmt::arg("pair", pair_of(p)),
+        fmt::arg("step", step), fmt::arg("g", gravity),
+        fmt::arg("gx", s * std::cos(p.acts.tilt_azimuth)),
+        fmt::arg("gy", s * std::sin(p.acts.tilt_azimuth)), fmt::arg("gz", -c), fmt::arg("n", glued),
+        fmt::arg("m", p.rig.grains));
+}
+
+// At rest: below 1e-6 m g d a grain for sqrt(1000 d/g), looked at every 1000 steps; given up after a hundred times as long.
+std::string rest(const Pour& p, double step) {
+    constexpr int look = 1000;
+    const double d = p.grain.diameter;
+    const double still = std::sqrt(1000.0 * d / gravity) / step;
+    return fmt::format(R"deck(
+variable energy equal (c_way+c_turn)/(count(loose)+(count(loose)==0))
+variable moved string $(step)
+variable looks loop {most}
+label settle
+run {look} pre no post no
+variable now equal $(v_energy)
+if "${{now}} > {limit:.6g}" then "variable moved string $(step)"
+variable calm equal step-${{moved}}
+if "${{calm}} >= {still:.0f}" then "jump SELF done"
+next looks
+jump SELF settle
+print "given up"
+label done
+write_dump loose custom ${{folder}}/heap.dump id x y z radius modify sort id format float %.9g
+)deck",
+                       fmt::arg("most", static_cast<int>(100.0 * still / look)),
+                       fmt::arg("look", look), fmt::arg("limit", 1e-6 * mass(p) * gravity * d),
+                       fmt::arg("still", still));
+}
+
+}  // namespace
+
+std::map<std::string, std::string> lammps_files(const Pour& p) {
+    const std::vector<Fed> feed = feed_of(p);
+    const std::vector<Place> glued = base_grains(p);
+    const double d = p.grain.diameter, step = time_step(p, feed);
+    double highest = 0.0, largest = d;
+    for (const Fed& g : feed)
+        highest = std::max(highest, g.z), largest = std::max(largest, 2.0 * g.radius);
+    const double shelf = highest + 4.0 * largest, apart = 1.5 * largest;
+    const double half = 0.5 * p.rig.base_diameter + 6.0 * d + highest * std::sin(p.acts.tilt_angle);
+    std::string data = fmt::format(
+        "a heap on glued grains\n\n{} atoms\n2 atom types\n\n{:.12g} {:.12g} xlo xhi\n{:.12g} "
+        "{:.12g} ylo yhi\n{:.12g} {:.12g} zlo zhi\n\nAtoms # sphere\n\n",
+        feed.size() + glued.size(), -half, half, -half, half, -4.0 * largest,
+        shelf + apart * static_cast<double>(feed.size() + 2));
+    std::string text = head(p, step, glued.size());
+    std::size_t id = 0;
+    for (const Fed& g : feed) {
+        const Place at = in_base_frame(g, g.z, p.acts);
+        ++id;
+        data += fmt::format("{} 1 {:.12g} {:.12g} {:.12g} {:.12g} {:.12g}\n", id, 2.0 * g.radius,
+                            p.grain.density, at.x, at.y, shelf + apart * static_cast<double>(id));
+        text += fmt::format(
+            "run {:.0f} upto pre no post no\nset atom {} z {:.12g}\ngroup loose id {}\n",
+            std::round(g.due / step), id, at.z, id);
+    }
+    for (const Place& g : glued)
+        data += fmt::format("{} 2 {:.12g} {:.12g} {:.12g} {:.12g} {:.12g}\n", ++id, d,
+                            p.grain.density, g.x, g.y, g.z);
+    return {{"deck.in", text + rest(p, step)}, {"grains.data", data}};
+}
+
+std::vector<Ball> read_heap(const std::string& text) {
+    std::istringstream in(text);
+    std::string line;
+    std::size_t count = 0;
+    while (std::getline(in, line)) {
+        if (line == "ITEM: NUMBER OF ATOMS") in >> count;
+        if (line.starts_with("ITEM: ATOMS")) break;
+    }
+    if (line != "ITEM: ATOMS id x y z radius")
+        throw std::runtime_error("a heap's dump has no line \"ITEM: ATOMS id x y z radius\"");
+    std::vector<Ball> all(count);
+    for (Ball& b : all) {
+        long id = 0;
+        in >> id >> b.x >> b.y >> b.z >> b.radius;
+    }
+    if (!in)
+        throw std::runtime_error(fmt::format("a heap's dump ends before its {} grains", count));
+    return all;
+}
+
+double height_above(const std::vector<Ball>& heap, const Spot& spot) {
+    const double x = spot.r * std::cos(spot.azimuth), y = spot.r * std::sin(spot.azimuth);
+    double top = 0.0;
+    for (const Ball& b : heap) {
+        const double square = b.radius * b.radius - std::pow(x - b.x, 2) - std::pow(y - b.y, 2);
+        if (square > 0.0) top = std::max(top, b.z + std::sqrt(square));
+    }
+    return top;
+}
+
+}  // namespace prove
