@@ -241,7 +241,7 @@ compute top loose reduce max v_heap v_any
 # Of a batch that has just been read: whether one of it lies within another grain and is pushed aside. Contacts cannot be asked: their
 # list is not made anew at a step at which it was made before.
 group fresh subtract all all
-variable pushed atom (fx*fx+fy*fy)>0
+variable pushed atom {pushed}
 compute within fresh reduce max v_pushed
 variable higher atom z+v_pushed*{step:.17g}*random(0.5,1.5,15485863)
 thermo 2000
@@ -253,7 +253,7 @@ thermo_modify lost ignore flush yes
                        fmt::arg("unit", energy_unit(s)), fmt::arg("slow", 0.25 * s.gravity * s.d),
                        fmt::arg("two_d", 2.0 * s.d), fmt::arg("room", 0.6 * s.d),
                        fmt::arg("step", 0.1 * s.d), fmt::arg("present", present),
-                       fmt::arg("height", lammps_height(s)));
+                       fmt::arg("height", lammps_height(s)), fmt::arg("pushed", lammps_pushed(s)));
 }
 
 std::string pile_feed_loop(const PileSetup& s, std::size_t batches, const std::string& read) {

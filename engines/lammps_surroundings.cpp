@@ -85,6 +85,17 @@ std::string lammps_height(const PileSetup& s) {
     return fmt::format("(x*{:.17g}+y*{:.17g}+{}*{:.17g})", n.x, n.y, z, n.z);
 }
 
+std::string lammps_pushed(const PileSetup& s) {
+    if (!leans(s)) return "(fx*fx+fy*fy)>0";
+    const Vec3 n = up(s);
+    const std::string fz = s.stand.shaking.acts() ? "(fz-mass*v_inertia)" : "fz";
+    // 1e-9: squares are rounded; 3e-5 of the weight.
+    return fmt::format(
+        "(fx*fx+fy*fy+{z}*{z}-(fx*{:.17g}+fy*{:.17g}+{z}*{:.17g})^2)>"
+        "1e-9*(mass*{:.17g})^2",
+        n.x, n.y, n.z, s.gravity, fmt::arg("z", fz));
+}
+
 std::string lammps_reading(const PileSetup& s) {
     std::string shift = "0 0 ${up}", lifted;
     if (leans(s)) {

@@ -15,6 +15,9 @@ std::string lammps_forces_from_afar(const rigs::PileSetup&);
 // How high above the base's mean place a grain is in the room: part of an atom-style variable.
 std::string lammps_height(const rigs::PileSetup&);
 
+// Whether a force across the plumb line acts, which nothing but a contact gives to a grain that falls from rest: an atom-style variable.
+std::string lammps_pushed(const rigs::PileSetup&);
+
 // Reads a batch ${up} higher in the room, and gives it the velocity of its fall, whose z component is its charge.
 std::string lammps_reading(const rigs::PileSetup&);
 

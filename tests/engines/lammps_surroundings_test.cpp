@@ -62,11 +62,12 @@ std::vector<dem_min::Grain> in_lammps(const rigs::PileSetup& s, std::int64_t ste
 
 }  // namespace
 
-// Before the first contact, along the way of three grains. 1e-6 d and as much of the speed without drag: both integrators are of second
-// order and (omega dt)^2/12 is 1e-5 of the amplitude. With drag 2e-3: its velocities are half a step old there, dt/tau = 3e-4.
+// Before the first contact, along the way of three grains. 1e-4 of d and of the speed without drag: what a batch fell before it was read
+// is exact, our own run is off by (omega dt)^2/12 of an amplitude. 1e-3 with drag: its velocities are half a step old there, dt/tau =
+// 3e-4. Over a plate a batch begins without its first half kick, since no set-up may come between two runs.
 TEST_CASE("lammps surroundings: grains fall there as they do here", "[engines][lammps][pile]") {
     if (!engines::find_program("lmp")) return;
-    const std::string base = GENERATE("glued_grains", "flat");
+    const std::string base = GENERATE(as<std::string>(), "glued_grains", "flat");
     const int effects = GENERATE(1, 2, 3, 4);
     CAPTURE(base, effects);
     rigs::PileSetup s = plain(base, 3);
@@ -75,7 +76,10 @@ TEST_CASE("lammps surroundings: grains fall there as they do here", "[engines][l
     if (effects >= 3) shake(s);
     const bool drags = s.fluid.acts();
     const auto steps = static_cast<std::int64_t>(0.024 / s.time_step);
-    REQUIRE(s.feed_time.back() < 0.02);
+    // At whole steps: in between, our own run lets a grain go at the next step, a batch where it would by then have fallen to.
+    for (std::size_t k = 0; k < 3; ++k)
+        s.feed_time[k] = 200.0 * static_cast<double>(k) * s.time_step;
+    REQUIRE(2 * steps > 3 * 400);
     rigs::PileRun ours = rigs::begin_pile(s, 1);
     rigs::advance(ours, s, steps);
     const dem_min::Particles& p = ours.simulation.grains;
@@ -83,15 +87,17 @@ TEST_CASE("lammps surroundings: grains fall there as they do here", "[engines][l
     const Scratch folder("lammps-surroundings");
     const auto there = in_lammps(s, steps, folder.path);
     REQUIRE(there.size() == 3);
-    const double limit = drags ? 2e-3 : 1e-5;
+    const double limit = drags ? 1e-3 : 1e-4;
+    const double kick =
+        base == "flat" ? (effects >= 3 ? 2.5 : 1.0) * g * 0.5 * s.time_step : 0.0;  // m/s
     for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t here = p.count() - 3 + k;
         const contact::Vec3 off = there[k].position - p.position(here);
         const contact::Vec3 faster = there[k].velocity - p.velocity(here);
         CAPTURE(k, contact::norm(off) / s.d,
                 contact::norm(faster) / contact::norm(p.velocity(here)));
-        CHECK(contact::norm(off) < limit * s.d);
-        CHECK(contact::norm(faster) < limit * contact::norm(p.velocity(here)));
+        CHECK(contact::norm(off) < limit * s.d + kick * ours.simulation.time());
+        CHECK(contact::norm(faster) < limit * contact::norm(p.velocity(here)) + kick);
     }
 }
 
