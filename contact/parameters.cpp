@@ -3,6 +3,7 @@
 #include "contact/coulomb.hpp"
 #include "contact/damping_tsuji1992.hpp"
 #include "contact/damping_viscoelastic.hpp"
+#include "contact/drag_schiller1935.hpp"
 #include "contact/effective.hpp"
 #include "contact/hertz.hpp"
 #include "contact/jkr.hpp"
@@ -101,6 +102,18 @@ DampingViscoelastic DampingViscoelastic::from(Eta eta, double tangential_ratio) 
         .eta = not_negative(eta.value(), "DampingViscoelastic.eta", "1/(m s)", "0 for none"),
         .tangential_ratio = not_negative(tangential_ratio, "DampingViscoelastic.tangential_ratio",
                                          "", "tangential over normal dashpot; 0 for none")};
+}
+
+DragSchiller1935 DragSchiller1935::from(double factor, scaling::Density density,
+                                        scaling::Viscosity viscosity) {
+    require(density.value() > 0.0 || viscosity.value() > 0.0, "DragSchiller1935.density",
+            density.value(), "kg/m^3", "must be > 0 where the fluid has no viscosity",
+            "air: 1.2 kg/m^3 and 1.8e-5 Pa s");
+    return {.factor = not_negative(factor, "DragSchiller1935.factor", "", "1: the curve as it is"),
+            .density = not_negative(density.value(), "DragSchiller1935.density", "kg/m^3",
+                                    "of the fluid, not of the grain"),
+            .viscosity = not_negative(viscosity.value(), "DragSchiller1935.viscosity", "Pa s",
+                                      "dynamic: air 1.8e-5 Pa s, water 1e-3 Pa s")};
 }
 
 Mindlin Mindlin::from(scaling::Pressure g_star, double sliding_friction) {

@@ -44,6 +44,7 @@ Dissipation& Dissipation::operator+=(const Dissipation& other) {
     tangential += other.tangential;
     rolling += other.rolling;
     tear_off += other.tear_off;
+    drag += other.drag;
     return *this;
 }
 

@@ -24,10 +24,10 @@ struct ContactConstants {
     friend bool operator==(const ContactConstants&, const ContactConstants&) = default;
 };
 
-// Energy that a contact has turned into heat so far, J (only while the ledger is on).
+// Energy that has become heat so far, J (only while the ledger is on): in a contact, or by the drag of a fluid.
 struct Dissipation {
-    double normal_dashpot = 0.0, tangential = 0.0, rolling = 0.0, tear_off = 0.0;
-    double total() const { return normal_dashpot + tangential + rolling + tear_off; }
+    double normal_dashpot = 0.0, tangential = 0.0, rolling = 0.0, tear_off = 0.0, drag = 0.0;
+    double total() const { return normal_dashpot + tangential + rolling + tear_off + drag; }
     Dissipation& operator+=(const Dissipation&);
 };
 

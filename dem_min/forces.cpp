@@ -21,7 +21,10 @@ ContactConstants with_law(const Laws& laws, double r_star, ContactConstants c) {
 }  // namespace
 
 double potential_of_gravity(const Simulation& s, std::size_t k) {
-    return -s.grains.mass[k] * contact::dot(s.settings.gravity, s.grains.position(k));
+    const double buoyed = s.settings.fluid.lifting_density > 0.0
+                              ? s.settings.fluid.lifting_density * volume_of(s.grains.radius[k])
+                              : 0.0;
+    return -(s.grains.mass[k] - buoyed) * contact::dot(s.settings.gravity, s.grains.position(k));
 }
 
 double kinetic_energy(const Particles& p, std::size_t k) {
@@ -40,8 +43,9 @@ double stored_energy(const Laws& laws, const Contacts& c, std::size_t slot) {
 }
 
 Dissipation heat_so_far(const Contacts& c, std::size_t slot) {
-    return {c.books.heat_normal[slot], c.books.heat_tangential[slot], c.books.heat_rolling[slot],
-            0.0};
+    return {.normal_dashpot = c.books.heat_normal[slot],
+            .tangential = c.books.heat_tangential[slot],
+            .rolling = c.books.heat_rolling[slot]};
 }
 
 Dissipation heat_of_end(const Laws& laws, const Contacts& c, std::size_t slot) {
@@ -114,8 +118,8 @@ void insert(Simulation& s, const Grain& grain) {
     p.add(grain, s.births++);
     const std::size_t k = p.count() - 1;
     if (!grain.fixed) {
-        const Vec3 weight = p.mass[k] * s.settings.gravity;
-        p.fx[k] = weight.x, p.fy[k] = weight.y, p.fz[k] = weight.z;
+        const Vec3 force = from_afar(s, k);
+        p.fx[k] = force.x, p.fy[k] = force.y, p.fz[k] = force.z;
         s.past.kinetic_in += kinetic_energy(p, k);
         s.past.potential_in += potential_of_gravity(s, k);
     }

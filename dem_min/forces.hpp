@@ -5,6 +5,7 @@
 #include "dem_min/simulation.hpp"
 
 #include <limits>
+#include <numbers>
 
 namespace dem_min {
 
@@ -27,8 +28,18 @@ std::size_t group_of_wall(const Simulation&, std::size_t i, std::size_t wall);
 ContactConstants pair_constants(const Simulation&, const Laws&, std::size_t i, std::size_t j);
 ContactConstants wall_constants(const Simulation&, const Laws&, std::size_t i);
 
-double potential_of_gravity(const Simulation&, std::size_t grain);  // J, zero at the origin
-double kinetic_energy(const Particles&, std::size_t grain);         // J, 0 for a fixed grain
+// dem_min/surroundings.cpp: N on a grain at this instant, weight, inertia, buoyancy and drag; m^3; and half a step's share of what the
+// ledger keeps of them, before a step and after it.
+Vec3 from_afar(const Simulation&, std::size_t grain);
+inline double volume_of(double radius) {
+    return (4.0 / 3.0 * std::numbers::pi) * (radius * radius * radius);
+}
+bool has_books_from_afar(const Simulation&);
+void keep_books_from_afar(Simulation&);
+
+double potential_of_gravity(const Simulation&,
+                            std::size_t grain);  // J, buoyancy included, zero at the origin
+double kinetic_energy(const Particles&, std::size_t grain);  // J, 0 for a fixed grain
 double stored_energy(const Laws&, const Contacts&,
                      std::size_t slot);  // J, elastic, of all springs (ledger on)
 Dissipation heat_so_far(const Contacts&, std::size_t slot);  // J, since the birth of the contact

@@ -14,13 +14,14 @@ namespace {
 struct Arrays {
     double *x, *y, *z, *vx, *vy, *vz, *wx, *wy, *wz;
     const double *fx, *fy, *fz, *tx, *ty, *tz;
-    const double *mass, *inverse_mass, *inverse_inertia;
+    const double *mass, *inverse_mass, *inverse_inertia, *radius;
 };
 
 Arrays arrays(Particles& p, std::size_t k) {
-    return {&p.x[k],  &p.y[k],  &p.z[k],  &p.vx[k],   &p.vy[k],           &p.vz[k],
-            &p.wx[k], &p.wy[k], &p.wz[k], &p.fx[k],   &p.fy[k],           &p.fz[k],
-            &p.tx[k], &p.ty[k], &p.tz[k], &p.mass[k], &p.inverse_mass[k], &p.inverse_inertia[k]};
+    return {&p.x[k],     &p.y[k],  &p.z[k],  &p.vx[k],   &p.vy[k],           &p.vz[k],
+            &p.wx[k],    &p.wy[k], &p.wz[k], &p.fx[k],   &p.fy[k],           &p.fz[k],
+            &p.tx[k],    &p.ty[k], &p.tz[k], &p.mass[k], &p.inverse_mass[k], &p.inverse_inertia[k],
+            &p.radius[k]};
 }
 
 // The loads of a tile, each component by itself. The arrays begin at different places of a page, for the reason that array.hpp
@@ -69,6 +70,34 @@ inline Vec3 weighed(const Arrays& p, int k, Vec3 g) {
     return {p.fx[k] + p.mass[k] * g.x, p.fy[k] + p.mass[k] * g.y, p.fz[k] + p.mass[k] * g.z};
 }
 
+// What every grain of a step is in.
+struct Around {
+    Field field;
+    contact::DragSchiller1935 drag;
+    double half;  // s, half a step
+};
+
+// Loads with weight, buoyancy and the drag D. The step wants D at the velocity v after this half kick, which holds D itself:
+//   v = v* + (h/m) D(v),   v* = v(t - h) + (h/m) F,   F all other forces, h half a step.
+// One step of Newton from v* gives D = -r u*/(1 + (h/m)(r + |u| dr/d|u|)), u* = v* less the wind: to second order the implicit
+// midpoint rule for velocities, exactly that where r is a constant, and stable for every h.
+inline Vec3 weighed_in_fluid(const Arrays& p, int k, const Around& in) {
+    const Vec3 weight = weighed(p, k, in.field.per_mass);
+    const double radius = p.radius[k];
+    const Vec3 f = weight + volume_of(radius) * in.field.per_volume;
+    const double a = in.half * p.inverse_mass[k];
+    const Vec3 v{p.vx[k], p.vy[k], p.vz[k]};
+    const Vec3 u = v + a * f - in.field.wind;
+    const auto r = in.drag.at(2.0 * radius, std::sqrt(contact::dot(u, u)));
+    return f - r.value / (1.0 + a * (r.value + r.growth)) * u;
+}
+
+template <bool fluid>
+Vec3 weighed(const Arrays& p, int k, const Around& in) {
+    if constexpr (fluid) return weighed_in_fluid(p, k, in);
+    return weighed(p, k, in.field.per_mass);
+}
+
 // Where loads are kept from one step to the next.
 struct Kept {
     double *fx, *fy, *fz, *tx, *ty, *tz;
@@ -81,15 +110,25 @@ inline void kick_one(const Arrays& p, int k, Vec3 f, double half) {
     p.wx[k] += b * p.tx[k], p.wy[k] += b * p.ty[k], p.wz[k] += b * p.tz[k];
 }
 
-SIMILITUDE_VECTOR_CLONES void weigh_and_kick(const Arrays p, const Kept kept, int n, Vec3 g,
-                                             double half) {
+template <bool fluid>
+inline void weigh_and_kick_all(const Arrays& p, const Kept& kept, int n, const Around& in) {
     SIMILITUDE_NO_DEPENDENCE
     for (int k = 0; k < n; ++k) {
-        const Vec3 f = weighed(p, k, g);
+        const Vec3 f = weighed<fluid>(p, k, in);
         kept.fx[k] = f.x, kept.fy[k] = f.y, kept.fz[k] = f.z;
         kept.tx[k] = p.tx[k], kept.ty[k] = p.ty[k], kept.tz[k] = p.tz[k];
-        kick_one(p, k, f, half);
+        kick_one(p, k, f, in.half);
     }
+}
+
+SIMILITUDE_VECTOR_CLONES void weigh_and_kick(const Arrays p, const Kept kept, int n,
+                                             const Around in) {
+    weigh_and_kick_all<false>(p, kept, n, in);
+}
+
+SIMILITUDE_VECTOR_CLONES void weigh_and_kick_in_fluid(const Arrays p, const Kept kept, int n,
+                                                      const Around in) {
+    weigh_and_kick_all<true>(p, kept, n, in);
 }
 
 // A vector's worth of grains at a time, so that sums and extremes are kept lane by lane.
@@ -127,15 +166,14 @@ inline void prefetch(const Arrays& p, int k) {
 }
 
 // `finish`: the second half of the last step comes first.
-template <bool finish>
-inline Drift walk(const Arrays& p, int n, const Settings& settings, Vec3 frame) {
+template <bool finish, bool fluid>
+inline Drift walk(const Arrays& p, int n, const Settings& settings, Vec3 frame, const Around& in) {
     Lanes all{};
     const double dt = settings.time_step, half = 0.5 * dt, lowest = settings.lost_below;
-    const Vec3 g = settings.gravity;
     const auto one = [&](int k, int lane) {
         Vec3 f{p.fx[k], p.fy[k], p.fz[k]};
         if constexpr (finish) {  // the force itself is not needed again
-            f = weighed(p, k, g);
+            f = weighed<fluid>(p, k, in);
             kick_one(p, k, f, half);
         }
         kick_one(p, k, f, half);
@@ -165,12 +203,22 @@ inline Drift walk(const Arrays& p, int n, const Settings& settings, Vec3 frame) 
 }
 
 SIMILITUDE_VECTOR_CLONES Drift begin(const Arrays p, int n, const Settings settings, Vec3 frame) {
-    return walk<false>(p, n, settings, frame);
+    return walk<false, false>(p, n, settings, frame, {});
 }
 
 SIMILITUDE_VECTOR_CLONES Drift finish_and_begin(const Arrays p, int n, const Settings settings,
-                                                Vec3 frame) {
-    return walk<true>(p, n, settings, frame);
+                                                Vec3 frame, const Around in) {
+    return walk<true, false>(p, n, settings, frame, in);
+}
+
+SIMILITUDE_VECTOR_CLONES Drift finish_and_begin_in_fluid(const Arrays p, int n,
+                                                         const Settings settings, Vec3 frame,
+                                                         const Around in) {
+    return walk<true, true>(p, n, settings, frame, in);
+}
+
+Around around(const Simulation& s) {
+    return {field_at(s.settings, s.time()), s.settings.fluid.drag, 0.5 * s.settings.time_step};
 }
 
 // Adds the loads that other tiles hold for these grains.
@@ -212,15 +260,16 @@ void end_step(Simulation& s, std::size_t t) {
     add_all(s, t, sum);
     Particles& p = s.grains;
     const std::size_t k = first_of(t);
-    weigh_and_kick(arrays(p, k, sum), {&p.fx[k], &p.fy[k], &p.fz[k], &p.tx[k], &p.ty[k], &p.tz[k]},
-                   grains_of(s, t), s.settings.gravity, 0.5 * s.settings.time_step);
+    const Kept kept{&p.fx[k], &p.fy[k], &p.fz[k], &p.tx[k], &p.ty[k], &p.tz[k]};
+    (s.settings.fluid.acts() ? weigh_and_kick_in_fluid : weigh_and_kick)(
+        arrays(p, k, sum), kept, grains_of(s, t), around(s));
 }
 
 Drift end_and_begin_step(Simulation& s, std::size_t t) {
     Sums sum;
     add_all(s, t, sum);
-    return finish_and_begin(arrays(s.grains, first_of(t), sum), grains_of(s, t), s.settings,
-                            s.frame);
+    return (s.settings.fluid.acts() ? finish_and_begin_in_fluid : finish_and_begin)(
+        arrays(s.grains, first_of(t), sum), grains_of(s, t), s.settings, s.frame, around(s));
 }
 
 }  // namespace dem_min

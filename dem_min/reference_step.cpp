@@ -54,6 +54,7 @@ void add_load(Simulation& s, int grain, Vec3 force, Vec3 torque) {
 }  // namespace
 
 void reference_step(Simulation& s) {
+    keep_books_from_afar(s);
     if (time_to_reorder(s)) reorder(s);
     fit_tiles(s);
     for (std::size_t t = 0; t < s.tiles.size(); ++t) begin_step(s, t);
@@ -61,6 +62,7 @@ void reference_step(Simulation& s) {
     check_finite(s);
     remove_lost(s);
     begin_all(s);
+    ++s.steps;
 
     for (std::size_t t = 0; t < s.tiles.size(); ++t)
         s.tiles[t].loads.assign(static_cast<std::size_t>(grains_of(s, t)), Load{});
@@ -105,7 +107,7 @@ void reference_step(Simulation& s) {
         s.tiles[t].loads.clear();
     }
     s.list_is_stale = true;  // `step` may follow
-    ++s.steps;
+    keep_books_from_afar(s);
 }
 
 }  // namespace dem_min

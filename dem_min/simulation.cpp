@@ -50,14 +50,15 @@ void check_finite(const Simulation& s) {
 }
 
 double Ledger::imbalance() const {
-    return gravity_work + wall_work + brought_in - kinetic - elastic_normal - elastic_tangential -
-           elastic_rolling - heat.total() - carried_away;
+    return gravity_work + wall_work + shaking_work + brought_in - kinetic - elastic_normal -
+           elastic_tangential - elastic_rolling - heat.total() - carried_away;
 }
 
 Ledger ledger(const Simulation& s) {
     Ledger sum;
     sum.heat = s.past.heat;
     sum.wall_work = s.past.wall_work;
+    sum.shaking_work = s.past.shaking_work;
     for (const Tile& tile : s.tiles) sum.heat += tile.ended, sum.wall_work += tile.wall_work;
     for_each_contact(s, [&](std::size_t group, const Contacts& c, std::size_t slot) {
         const double tangential = c.books.stored_tangential[slot];

@@ -6,6 +6,7 @@
 #include "dem_min/contacts.hpp"
 #include "dem_min/interaction.hpp"
 #include "dem_min/particles.hpp"
+#include "dem_min/surroundings.hpp"
 #include "dem_min/tiles.hpp"
 #include "dem_min/walls.hpp"
 
@@ -20,6 +21,8 @@ struct Settings {
     // m, usual margin of the neighbour list, >= 0. Tiles at rest take less and fast ones more; no bit depends on it.
     double skin = 0.0;
     Vec3 gravity;  // m/s^2
+    Fluid fluid = {};
+    Shaking shaking = {};
     double lost_below =
         0.0;          // m: a grain whose centre sinks below this z has left and is taken out
     int threads = 1;  // at most
@@ -36,8 +39,9 @@ struct Settings {
 struct Past {
     Dissipation heat;  // J, of contacts that have ended, springs that were still loaded included
     double wall_work = 0.0;     // J, of moving walls on grains of tiles that are no more
+    double shaking_work = 0.0;  // J, of a shaking frame, by its inertial force and the wind in it
     double kinetic_in = 0.0;    // J, of grains at their birth
-    double potential_in = 0.0;  // J, likewise, in gravity, zero at the origin
+    double potential_in = 0.0;  // J, likewise, in gravity and buoyancy, zero at the origin
     double carried_away =
         0.0;  // J, kinetic and elastic, by grains that have left; kinetic, of those put to sleep
     double potential_out = 0.0;  // J, in gravity, of grains when they left
@@ -114,12 +118,13 @@ void for_each_contact(const Simulation& s, Visit&& visit) {
                 visit(group, tile.groups[group], slot);
 }
 
-// Where the energy is, J. What came in (work of gravity and of moving walls, kinetic energy at birth) less what is there or has left or has
-// become heat is the imbalance: zero but for the error of the step.
+// Where the energy is, J, as seen from the frame of the places. What came in (work of gravity, buoyancy included, of moving walls and of a
+// shaking frame, kinetic energy at birth) less what is there or has left or has become heat is the imbalance: zero but for the error of the step.
 struct Ledger {
     double kinetic = 0.0, elastic_normal = 0.0, elastic_tangential = 0.0, elastic_rolling = 0.0;
     Dissipation heat;
-    double gravity_work = 0.0, wall_work = 0.0, brought_in = 0.0, carried_away = 0.0;
+    double gravity_work = 0.0, wall_work = 0.0, shaking_work = 0.0, brought_in = 0.0,
+           carried_away = 0.0;
     double imbalance() const;
 };
 Ledger ledger(const Simulation&);  // settings.ledger must have been on from the start

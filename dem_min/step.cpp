@@ -187,10 +187,10 @@ void stop(Simulation& s, std::size_t t) {
 
 // Who sleeps in this step: tiles that have been quiet for long and have only quiet partners. Their grains are held; what pushes
 // awake ones is evaluated as ever, and only a tile all of whose partners sleep is left out.
-void put_to_sleep(Simulation& s, bool walls_move) {
+void put_to_sleep(Simulation& s, bool base_moves) {
     const Settings& settings = s.settings;
     if (settings.sleep_speed <= 0.0) return;
-    if (walls_move) {  // into the heap, or away from under it: nobody is left out
+    if (base_moves) {  // into the heap, or away from under it: nobody is left out
         for (Tile& tile : s.tiles) tile.asleep = tile.left_out = false, tile.quiet_steps = 0;
         return;
     }
@@ -219,7 +219,7 @@ void put_to_sleep(Simulation& s, bool walls_move) {
 }
 
 // Between the drift and the loads: grains leave, bad numbers are found, the list is renewed.
-void look_after(Simulation& s, bool walls_move) {
+void look_after(Simulation& s, bool base_moves) {
     bool lost = false, bad = false;
     Vec3 sum;
     for (const Tile& tile : s.tiles) {
@@ -231,7 +231,7 @@ void look_after(Simulation& s, bool walls_move) {
     if (lost) remove_lost(s);
     s.past.grain_steps += static_cast<std::int64_t>(s.grains.count());
     if (outdated(s)) find_neighbours(s);
-    put_to_sleep(s, walls_move);
+    put_to_sleep(s, base_moves);
 }
 
 // The second half of a step for tile t, and the first of the next one if there is one.
@@ -301,7 +301,9 @@ void advance(Simulation& s, std::int64_t steps) {
         false;  // the end of one step and the beginning of the next are one walk over the grains
     s.spare.resize(std::max(s.spare.size(), static_cast<std::size_t>(s.team())));
     const std::vector<Plane*> moving = moving_walls(s);
+    const bool books = has_books_from_afar(s);  // they want the velocities between two steps
     for (std::int64_t done = 0; done < steps; ++done) {
+        if (books) keep_books_from_afar(s);
         if (time_to_reorder(s)) reorder(s);
         fit_tiles(s);
         if (!begun)
@@ -311,9 +313,9 @@ void advance(Simulation& s, std::int64_t steps) {
                         note(s, tile, begin_step(s, static_cast<std::size_t>(t)));
             });
         move_walls(s, moving);
-        look_after(s, !moving.empty());
+        look_after(s, !moving.empty() || s.settings.shaking.acts());
         ++s.steps;
-        begun = done + 1 < steps && !time_to_reorder(s);
+        begun = done + 1 < steps && !time_to_reorder(s) && !books;
         for (Tile& tile : s.tiles) tile.finished = false;
         share(s, [&](Spare& spare, auto&& take_tile) { load_tiles(s, spare, take_tile, begun); });
         hand_over(s);
@@ -322,6 +324,7 @@ void advance(Simulation& s, std::int64_t steps) {
                 if (!s.tiles[static_cast<std::size_t>(t)].finished)
                     finish_tile(s, static_cast<std::size_t>(t), begun, spare);
         });
+        if (books) keep_books_from_afar(s);
     }
 }
 

@@ -2,6 +2,7 @@
 #include "engines/lammps_pile.hpp"
 
 #include "engines/lammps_rules.hpp"
+#include "engines/lammps_surroundings.hpp"
 #include "engines/pile_feed.hpp"
 #include "engines/process.hpp"
 
@@ -106,26 +107,17 @@ pair_style granular
 pair_coeff * * {pair}
 # The step before all fixes: some take it when they are made.
 timestep {dt:.17g}
-fix fall loose gravity {g:.17g} vector 0 0 -1
-fix motion loose nve/sphere
+{afar}fix motion loose nve/sphere
 {base}
 )",
         fmt::arg("xl", box.low.x), fmt::arg("xh", box.high.x), fmt::arg("yl", box.low.y),
         fmt::arg("yh", box.high.y), fmt::arg("zl", box.low.z), fmt::arg("zh", box.high.z),
         fmt::arg("release", release_line(o)), fmt::arg("skin", 0.4 * s.d),
         fmt::arg("pair", granular_arguments(s.grains, o, nominal_pair(s))),
-        fmt::arg("dt", s.time_step), fmt::arg("g", s.gravity),
+        fmt::arg("dt", s.time_step), fmt::arg("afar", lammps_forces_from_afar(s)),
         fmt::arg("grains", is_flat(s) ? parked_grains : glued_base),
         fmt::arg("base", is_flat(s) ? plate(s, o) : frozen));
 }
-
-// Of one batch.
-constexpr const char* reading =
-    R"(group fresh clear
-read_data feed/${batch}.data add append shift 0 0 ${up} group fresh
-group loose type 1
-velocity fresh set NULL NULL v_fall units box
-)";
 
 // How far the next batch is shifted up.
 std::string shift(const PileSetup& s) {
@@ -154,15 +146,13 @@ run ${{due}} upto pre no post no
 group fresh id ${{ids}}
 group loose union loose fresh
 group parked subtract parked fresh
-variable there atom z-{lift:.17g}+${{up}}
-set group fresh z v_there
-velocity fresh set NULL NULL v_fall units box
-group fresh clear
+{unpark}group fresh clear
 if "${{batch}} < {n}" then "next due" "next ids"
 next batch
 jump SELF feed
 )",
-                       fmt::arg("n", batches), fmt::arg("lift", lift), fmt::arg("shift", shift(s)));
+                       fmt::arg("n", batches), fmt::arg("unpark", lammps_unparking(s, lift)),
+                       fmt::arg("shift", shift(s)));
 }
 
 std::string rest_loop(const PileSetup& s) {
@@ -245,13 +235,13 @@ compute radius all property/atom radius
 compute touching all contact/atom
 variable restless equal c_kinetic/((count(loose)+(count(loose)==0))*{unit:.17g})
 # Heap: slow grains that touch two others. Two that touch in flight have one contact each.
-variable heap atom (c_touching>1)*((vx*vx+vy*vy+vz*vz)<{slow:.17g})*(z+c_radius+{two_d:.17g})
-variable any atom z+c_radius+{room:.17g}
+variable heap atom (c_touching>1)*((vx*vx+vy*vy+vz*vz)<{slow:.17g})*({height}+c_radius+{two_d:.17g})
+variable any atom {height}+c_radius+{room:.17g}
 compute top loose reduce max v_heap v_any
 # Of a batch that has just been read: whether one of it lies within another grain and is pushed aside. Contacts cannot be asked: their
 # list is not made anew at a step at which it was made before.
 group fresh subtract all all
-variable pushed atom (fx*fx+fy*fy)>0
+variable pushed atom {pushed}
 compute within fresh reduce max v_pushed
 variable higher atom z+v_pushed*{step:.17g}*random(0.5,1.5,15485863)
 thermo 2000
@@ -262,7 +252,8 @@ thermo_modify lost ignore flush yes
 )",
                        fmt::arg("unit", energy_unit(s)), fmt::arg("slow", 0.25 * s.gravity * s.d),
                        fmt::arg("two_d", 2.0 * s.d), fmt::arg("room", 0.6 * s.d),
-                       fmt::arg("step", 0.1 * s.d), fmt::arg("present", present));
+                       fmt::arg("step", 0.1 * s.d), fmt::arg("present", present),
+                       fmt::arg("height", lammps_height(s)), fmt::arg("pushed", lammps_pushed(s)));
 }
 
 std::string pile_feed_loop(const PileSetup& s, std::size_t batches, const std::string& read) {
@@ -297,9 +288,9 @@ Deck lammps_pile(const PileSetup& s, const DeckOptions& options) {
     std::string steps;
     for (const FeedBatch& batch : batches) steps += fmt::format("{}\n", batch.step);
     if (is_flat(s)) return over_a_plate(s, options, batches, z, steps);
-    Deck result{"deck.in", head(s, options) + pile_questions(s, "count(all)") +
-                               "\nvariable fall atom q\n" +
-                               pile_feed_loop(s, batches.size(), reading) + rest_loop(s) + results};
+    Deck result{"deck.in",
+                head(s, options) + pile_questions(s, "count(all)") + "\nvariable fall atom q\n" +
+                    pile_feed_loop(s, batches.size(), lammps_reading(s)) + rest_loop(s) + results};
     result.files.emplace_back("base.data", added_data(glued_grains(s), pile_box(s)));
     for (std::size_t k = 0; k < batches.size(); ++k)
         result.files.emplace_back(fmt::format("feed/{}.data", k + 1),

@@ -45,6 +45,7 @@ void refuse_what_liggghts_has_not(const PileSetup& s, const DeckOptions& o) {
     if (s.conditions.base == rigs::Base::flat_with_rim)
         refuse(o, "liggghts", "is told of no rim", "take flat or glued_grains for the base");
     refuse_rig_of_our_own(s, o, "liggghts");
+    refuse_surroundings(s, o, "liggghts");
     refuse_liggghts_restitution(s.grains.restitution, o);
     if (s.conditions.base == rigs::Base::flat) refuse_liggghts_restitution(s.walls.restitution, o);
 }

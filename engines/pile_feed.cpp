@@ -11,9 +11,32 @@ namespace {
 using dem_min::Grain;
 using rigs::PileSetup;
 
-// How far a grain that appeared at `since` has fallen at `t`.
-double fallen(const PileSetup& s, double since, double t) {
-    return 0.5 * s.gravity * (t - since) * (t - since);
+struct Fallen {
+    double way, speed;  // m, m/s
+};
+
+// What grain k has come since it appeared, by `t`, in the room. In a fluid by Runge-Kutta of fourth order; a fall of some d lasts no
+// longer than the grain's own time of drag, or ends at its terminal velocity.
+Fallen fall(const PileSetup& s, std::size_t k, double t) {
+    const double time = t - s.feed_time[k];
+    if (!s.fluid.acts()) return {0.5 * s.gravity * time * time, s.gravity * time};
+    const double d = 2.0 * s.radius[k];
+    const double volume = std::numbers::pi / 6.0 * d * d * d, mass = loose_density(s) * volume;
+    const auto acceleration = [&](double v) {
+        const double weight = (mass - s.fluid.lifting_density * volume) * s.gravity;
+        return (weight - s.fluid.drag.at(d, std::abs(v)).value * v) / mass;
+    };
+    constexpr int steps = 40;
+    const double h = time / steps;
+    Fallen now{};
+    for (int step = 0; step < steps; ++step) {
+        const double a1 = acceleration(now.speed), a2 = acceleration(now.speed + 0.5 * h * a1),
+                     a3 = acceleration(now.speed + 0.5 * h * a2),
+                     a4 = acceleration(now.speed + h * a3);
+        now.way += h * now.speed + h * h / 6.0 * (a1 + a2 + a3);
+        now.speed += h / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4);
+    }
+    return now;
 }
 
 }  // namespace
@@ -41,8 +64,7 @@ std::vector<double> feed_heights(const PileSetup& s, const std::vector<FeedBatch
             z[k] = s.conditions.drop_height + s.radius[k];
             // What fell for so long is below by more than two grains and the lift of the highest.
             while (s.feed_time[oldest] < s.feed_time[k] &&
-                   z[oldest] - fallen(s, s.feed_time[oldest], s.feed_time[k]) < z[k] - 4.0 * s.d &&
-                   oldest < k)
+                   z[oldest] - fall(s, oldest, s.feed_time[k]).way < z[k] - 4.0 * s.d && oldest < k)
                 ++oldest;
             for (bool moved = true; moved;) {
                 moved = false;
@@ -52,8 +74,7 @@ std::vector<double> feed_heights(const PileSetup& s, const std::vector<FeedBatch
                     const double level = reach * reach - dx * dx - dy * dy;
                     if (level <= 0.0) continue;
                     const auto gap = [&](double t) {  // how far j is above k
-                        return z[j] - fallen(s, s.feed_time[j], t) - z[k] +
-                               fallen(s, s.feed_time[k], t);
+                        return z[j] - fall(s, j, t).way - z[k] + fall(s, k, t).way;
                     };
                     const double now = gap(s.feed_time[k]), then = gap(read);
                     const double apart = std::sqrt(level);
@@ -71,12 +92,16 @@ std::vector<Grain> batch_grains(const PileSetup& s, const FeedBatch& batch,
                                 const std::vector<double>& z, double lift) {
     const double read = static_cast<double>(batch.step) * s.time_step;
     std::vector<Grain> grains;
-    for (std::size_t k = batch.first; k <= batch.last; ++k)
-        grains.push_back({{s.feed_x[k], s.feed_y[k], z[k] - fallen(s, s.feed_time[k], read) + lift},
-                          {0.0, 0.0, -s.gravity * (read - s.feed_time[k])},
-                          {},
-                          s.radius[k],
-                          loose_density(s)});
+    rigs::Stand tilted = s.stand;
+    tilted.shaking = {};
+    for (std::size_t k = batch.first; k <= batch.last; ++k) {
+        const Fallen now = fall(s, k, read);
+        const dem_min::Vec3 place{s.feed_x[k], s.feed_y[k], z[k] - now.way + lift};
+        dem_min::Vec3 velocity = rigs::on_base(tilted, {0.0, 0.0, -now.speed}, read);
+        if (s.stand.shaking.acts()) velocity.z -= s.stand.shaking.velocity(read);
+        grains.push_back(
+            {rigs::on_base(s.stand, place, read), velocity, {}, s.radius[k], loose_density(s)});
+    }
     return grains;
 }
 
@@ -90,9 +115,17 @@ std::vector<Grain> glued_grains(const PileSetup& s) {
 }
 
 Box pile_box(const PileSetup& s) {
-    const double wide =
-        0.5 * std::max(s.conditions.base_diameter, s.conditions.feed_diameter) + 10.0 * s.d;
-    return {{-wide, -wide, s.lost_below}, {wide, wide, s.conditions.drop_height + 40.0 * s.d}};
+    const double top = s.conditions.drop_height + 40.0 * s.d;
+    const double wide = 0.5 * std::max(s.conditions.base_diameter, s.conditions.feed_diameter) +
+                        10.0 * s.d + top * std::abs(std::sin(s.stand.tilt_angle));
+    return {{-wide, -wide, s.lost_below}, {wide, wide, top}};
+}
+
+void refuse_surroundings(const PileSetup& s, const DeckOptions& o, const std::string& engine) {
+    const std::string lammps = "take lammps, which is told of it, or dem_min";
+    if (s.fluid.acts()) refuse(o, engine, "is told of no fluid (air_drag, buoyancy)", lammps);
+    if (s.stand.tilt_angle != 0.0) refuse(o, engine, "is told of no tilt", lammps);
+    if (s.stand.shaking.acts()) refuse(o, engine, "is told of no vibration", lammps);
 }
 
 double loose_density(const PileSetup& s) {

@@ -31,7 +31,7 @@ std::vector<FeedBatch> feed_batches(const rigs::PileSetup&);
 // flight, both when it appears and when its batch is read.
 std::vector<double> feed_heights(const rigs::PileSetup&, const std::vector<FeedBatch>&);
 
-// The grains of a batch at the step at which it is read, over such a heap, `lift` higher (m).
+// The grains of a batch at the step at which it is read, over such a heap, `lift` higher in the room (m), as seen from the base.
 std::vector<dem_min::Grain> batch_grains(const rigs::PileSetup&, const FeedBatch&,
                                          const std::vector<double>& heights, double lift = 0.0);
 
@@ -45,6 +45,9 @@ double loose_density(const rigs::PileSetup&);  // kg/m^3
 double energy_unit(const rigs::PileSetup&);    // J, m g d of a nominal grain
 std::int64_t whole_checks(const rigs::PileSetup&,
                           double duration);  // steps, rounded up to the looks at rest
+
+// What LAMMPS alone is told of: a fluid, tilt, vibration.
+void refuse_surroundings(const rigs::PileSetup&, const DeckOptions&, const std::string& engine);
 
 // What none of the peers is told of: rigid friction, several materials, funnel and mesh, sleep.
 void refuse_rig_of_our_own(const rigs::PileSetup&, const DeckOptions&, const std::string& engine);

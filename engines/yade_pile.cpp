@@ -138,6 +138,7 @@ void refuse_what_yade_has_not(const PileSetup& s, const DeckOptions& o) {
         refuse(o, "yade", "has no round plate: of facets, a grain over an edge meets two",
                "take glued_grains for the base, or leave the option out");
     refuse_rig_of_our_own(s, o, "yade");
+    refuse_surroundings(s, o, "yade");
 }
 
 void put(std::string& text, const std::string& place, const std::string& words) {

@@ -4,6 +4,8 @@
 #include "contact/effective.hpp"
 #include "dem_min/walls.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -91,13 +93,14 @@ Clusters clusters(const Simulation& s, Counts&& counts) {
 
 // Top of the heap: of the highest loose grain that is joined by contacts to a wall or to a glued grain. Grains that touch one
 // another in flight are no heap: to feed above them would raise the feed without end where the stream is dense at its source.
-double heap_top(const Simulation& s) {
+double heap_top(const Simulation& s, const Stand& stand) {
     Clusters joined =
         clusters(s, [](std::size_t, const dem_min::Contacts&, std::size_t) { return true; });
     double top = 0.0;
     for (std::size_t k = 0; k < s.grains.count(); ++k)
         if (!s.grains.fixed(k) && joined.on_the_ground(k))
-            top = std::max(top, s.grains.z[k] + s.grains.radius[k]);
+            top = std::max(top,
+                           in_room(stand, s.grains.position(k), s.time()).z + s.grains.radius[k]);
     return top;
 }
 
@@ -133,37 +136,53 @@ std::vector<bool> held_by_funnel(const Simulation& s, const PileConditions& cond
     return held;
 }
 
-// The lowest height at or above `lowest` at which a sphere at (x, y) is clear of all others, by a thousandth of its reach.
-double free_height(const Simulation& s, double x, double y, double radius, double lowest) {
+// The lowest height at or above `lowest` at which a sphere at (x, y) is clear of all others, by a thousandth of its reach; in
+// the room.
+double free_height(const Simulation& s, const Stand& stand, double x, double y, double radius,
+                   double lowest) {
     double z = lowest;
     for (bool moved = true; moved;) {
         moved = false;
         for (std::size_t k = 0; k < s.grains.count(); ++k) {
             const double reach = 1.001 * (s.grains.radius[k] + radius);
-            const double dx = s.grains.x[k] - x, dy = s.grains.y[k] - y, dz = z - s.grains.z[k];
+            const Vec3 p = in_room(stand, s.grains.position(k), s.time());
+            const double dx = p.x - x, dy = p.y - y, dz = z - p.z;
             const double level = reach * reach - dx * dx - dy * dy;
             if (level <= 0.0 || dz * dz >= level) continue;
-            z = s.grains.z[k] + std::sqrt(level) * 1.001;
+            z = p.z + std::sqrt(level) * 1.001;
             moved = true;
         }
     }
     return z;
 }
 
+// A funnel, or a mesh that may be one, leans with the base: grains then appear where they do over a level one.
+Stand stand_of_feed(const PileSetup& setup) {
+    Stand stand = setup.stand;
+    if (setup.conditions.funnel || !setup.conditions.meshes.empty()) stand.tilt_angle = 0.0;
+    return stand;
+}
+
+// At rest in the room, over the centre of the base along the plumb line.
 void feed(PileRun& run, const PileSetup& setup) {
     Simulation& s = run.simulation;
     const PileConditions& c = setup.conditions;
+    const Stand stand = stand_of_feed(setup);
     while (run.fed < setup.feed_time.size() && setup.feed_time[run.fed] <= s.time()) {
         const double radius = setup.radius[run.fed], x = setup.feed_x[run.fed],
                      y = setup.feed_y[run.fed];
         const double mouth = c.funnel ? c.funnel->outlet_height + c.funnel->height : c.drop_height;
-        const double lowest = std::max(mouth, heap_top(s) + 2.0 * setup.d);
-        const double z = free_height(s, x, y, radius, lowest + radius);
+        const double lowest = std::max(mouth, heap_top(s, stand) + 2.0 * setup.d);
+        const double z = free_height(s, stand, x, y, radius, lowest + radius);
+        const Vec3 velocity{0.0, 0.0,
+                            stand.shaking.acts() ? -stand.shaking.velocity(s.time()) : 0.0};
         const Materials& m = setup.materials;
         const int material = m.of_grain.empty() ? cases::material_of_grain : m.of_grain[run.fed];
         const double density =
             m.density.empty() ? setup.density : m.density[static_cast<std::size_t>(material)];
-        dem_min::insert(s, {{x, y, z}, {}, {}, radius, density, false, material});
+        dem_min::insert(
+            s,
+            {on_base(stand, {x, y, z}, s.time()), velocity, {}, radius, density, false, material});
         ++run.fed;
     }
 }
@@ -215,7 +234,9 @@ PileRun begin_pile(const PileSetup& setup, int threads, bool ledger) {
     Simulation& s = run.simulation;
     s.settings = {.time_step = setup.time_step,
                   .skin = setup.skin,
-                  .gravity = {0.0, 0.0, -setup.gravity},
+                  .gravity = setup.gravity * down(setup.stand),
+                  .fluid = setup.fluid,
+                  .shaking = setup.stand.shaking,
                   .lost_below = setup.lost_below,
                   .threads = threads,
                   .ledger = ledger,
@@ -278,6 +299,11 @@ PileRecord record(const PileRun& run, const PileSetup& setup) {
     result.hash = dem_min::state_hash(s);
     result.grains_in_funnel = std::count(held.begin(), held.end(), true);
     result.notes = setup.notes;
+    if (run.finished && !run.at_rest && setup.stand.shaking.acts())
+        result.notes.push_back(fmt::format(
+            "recorded while the base still moved the heap, {:.3g} s after the last grain: "
+            "A omega^2/g is {:.3g}",
+            s.time() - setup.feed_time.back(), shaking_strength(setup)));
     return result;
 }
 

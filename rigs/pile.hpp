@@ -11,6 +11,7 @@
 #include "rigs/formed.hpp"
 #include "rigs/heap.hpp"
 #include "rigs/physics.hpp"
+#include "rigs/stand.hpp"
 #include "scaling/scale_map.hpp"
 
 #include <cstdint>
@@ -63,7 +64,7 @@ struct Materials {
 struct PileSetup {
     PileConditions conditions;
     double d, density;  // m, kg/m^3
-    double gravity;     // m/s^2, along -z
+    double gravity;     // m/s^2, along down(stand)
     ContactParameters grains, walls;
     Materials materials = {};
     double time_step, skin, lost_below;  // s, m, m
@@ -74,6 +75,8 @@ struct PileSetup {
     std::vector<double> radius;          // m, [grains]
     double sleep_speed = 0.0;  // m/s: regions whose grains are all slower are left out; 0: none
     std::vector<std::string> notes = {};  // on the apparatus: open edges of a mesh and the like
+    Stand stand = {};                     // of the base, and of what else stands on it
+    dem_min::Fluid fluid = {};            // at rest in the room
 };
 
 // The material and the model of a case with the conditions of one of its experiments; feeding places and sizes drawn from
@@ -90,6 +93,11 @@ double speed_of_rest(const PileSetup&);
 
 // Draws feeding instants, places, sizes and, where sizes have materials of their own, these.
 void choose_feed(PileSetup&, const cases::Grain& sizes, std::uint64_t seed);
+
+// The fluid, the tilt and the vibration that the model names (rigs/pile_surroundings.cpp). Conditions and densities must be there.
+void choose_surroundings(PileSetup&, const cases::Case&, const cases::Experiment&);
+
+double shaking_strength(const PileSetup&);  // 1, A omega^2/g: above 1 grains leave the base
 
 // Densities and pairs of what the feed has drawn (rigs/pile_materials.cpp). `s.grains` and `s.walls` must be there.
 void choose_materials(PileSetup&, const cases::Case&, const cases::Experiment&);

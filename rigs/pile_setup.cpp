@@ -111,9 +111,10 @@ double default_feed_rate(const PileConditions& c, double d, double gravity) {
 
 PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment,
                      std::uint64_t seed) {
-    refuse_other_physics(c, "pile",
-                         {"gravity", "hertz_mindlin", "hertz_coulomb", "adhesion", "wall_adhesion",
-                          "wall_friction", "rolling_resistance"});
+    refuse_other_physics(
+        c, "pile",
+        {"gravity", "hertz_mindlin", "hertz_coulomb", "adhesion", "wall_adhesion", "wall_friction",
+         "rolling_resistance", "air_drag", "buoyancy", "tilt", "vibration"});
     const cases::Model& model = c.model;
     const contact::Material grain = grain_material(experiment), plate = plate_material(experiment);
     PileSetup s{};
@@ -140,6 +141,7 @@ PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment,
     s.grains.friction_cap = s.walls.friction_cap = friction_cap(model.friction_cap);
     choose_feed(s, experiment.grain, seed);
     choose_materials(s, c, experiment);
+    choose_surroundings(s, c, experiment);
     choose_steps(s);
     return s;
 }
@@ -185,12 +187,13 @@ void choose_steps(PileSetup& s) {
                               .youngs_modulus = 2.0 * (1.0 - nu * nu) * e_star,
                               .poisson_ratio = nu,
                               .work_of_adhesion = work_of_adhesion,
-                              .fastest_impact = std::sqrt(2.0 * s.gravity * fall)});
+                              .fastest_impact = std::sqrt(2.0 * s.gravity * fall) +
+                                                s.stand.shaking.amplitude * s.stand.shaking.omega});
     s.time_step = limits.shortest();
     s.skin = 0.2 * s.d;
     s.lost_below = -3.0 * s.d;
     s.rest_duration = std::sqrt(1000.0 * s.d / s.gravity);
-    s.longest = s.feed_time.back() + 30.0 * s.rest_duration;
+    s.longest = s.feed_time.back() + (s.stand.shaking.acts() ? 10.0 : 30.0) * s.rest_duration;
 }
 
 void take_lammps_rules(PileSetup& s) {
@@ -224,6 +227,10 @@ PileSetup scaled(const PileSetup& original, const scaling::ScaleMap& map) {
     times(length, s.d, s.skin, s.lost_below);
     times(map.factor("density"), s.density);
     times(map.factor("gravity"), s.gravity);
+    times(map.factor("density"), s.fluid.drag.density, s.fluid.lifting_density);
+    times(map.factor("viscosity"), s.fluid.drag.viscosity);
+    times(map.factor("apparatus_length"), s.stand.shaking.amplitude);
+    times(1.0 / time, s.stand.shaking.omega);
     times(map.factor("youngs_modulus"), s.grains.e_star, s.grains.g_star, s.walls.e_star,
           s.walls.g_star);
     times(map.factor("work_of_adhesion"), s.grains.work_of_adhesion, s.walls.work_of_adhesion);

@@ -10,12 +10,13 @@
 
 namespace verify {
 
-// All of them, in a few seconds on one thread. The groups: impact, adhesion, friction, flight_and_rolling.
+// All of them, in a few seconds on one thread. The groups: impact, adhesion, friction, flight_and_rolling, surroundings.
 std::vector<Check> exact_answers();
 
 std::vector<Check> impact_answers();
 std::vector<Check> adhesion_answers();
 std::vector<Check> friction_answers();
 std::vector<Check> flight_and_rolling_answers();
+std::vector<Check> surroundings_answers();
 
 }  // namespace verify

@@ -30,6 +30,16 @@ std::string described(const rigs::PileSetup& s) {
                                c.feed_rate, s.d, s.density, s.gravity, s.time_step, s.skin,
                                s.lost_below, s.rest_duration, s.longest, s.sleep_speed})
         add(value);
+    if (s.fluid.acts()) {
+        text += " fluid";
+        for (const double value : {s.fluid.drag.factor, s.fluid.drag.density,
+                                   s.fluid.drag.viscosity, s.fluid.lifting_density})
+            add(value);
+    }
+    if (s.stand.tilt_angle != 0.0)
+        text += " tilt", add(s.stand.tilt_angle), add(s.stand.tilt_azimuth);
+    if (const dem_min::Shaking& base = s.stand.shaking; base.acts())
+        text += " shaking", add(base.amplitude), add(base.omega), add(base.phase);
     const auto add_laws = [&](const rigs::ContactParameters& p) {
         for (const double value : {p.e_star, p.g_star, p.work_of_adhesion, p.sliding_friction,
                                    p.rolling_friction, p.restitution})

@@ -17,7 +17,7 @@ declare -A tests_of=(
     [rolling_sds.hpp]=rolling_sds [rolling_edem_standard.hpp]=rolling_constant_torque
     [twisting_marshall2009.hpp]="twisting_marshall2009 damping_viscoelastic"
     [rolling_rvd.hpp]=rolling_constant_torque [effective.hpp]=effective [scale_free.hpp]=scale_free
-    [parameters.cpp]="effective damping_tsuji1992")
+    [drag_schiller1935.hpp]=drag [parameters.cpp]="effective damping_tsuji1992")
 # The start of an iteration that converges from anywhere near.
 harmless='double y = 0\.74'
 

@@ -3,6 +3,7 @@
 #include "contact/coulomb.hpp"
 #include "contact/damping_tsuji1992.hpp"
 #include "contact/damping_viscoelastic.hpp"
+#include "contact/drag_schiller1935.hpp"
 #include "contact/effective.hpp"
 #include "contact/hertz.hpp"
 #include "contact/jkr.hpp"
@@ -32,6 +33,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 const auto pa = si::pascals;
 const auto n_per_m = si::newtons_per_meter;
+const auto kg_per_m3 = si::kilograms_per_cubic_meter;
 const auto kg_per_s = si::newtons_per_meter * si::seconds;
 
 contact::Material material(double youngs_modulus, double poisson_ratio, double density) {
@@ -55,6 +57,27 @@ std::vector<Parameter> parameters() {
          positive},
         {"Jkr.work_of_adhesion", [](double x) { contact::Jkr::from(1e9 * pa, x * n_per_m); },
          not_positive, positive},
+        {"DragSchiller1935.factor",
+         [](double x) {
+             contact::DragSchiller1935::from(x, 1.2 * kg_per_m3, 2e-5 * pa * si::seconds);
+         },
+         negative, not_negative},
+        {"DragSchiller1935.density",
+         [](double x) {
+             contact::DragSchiller1935::from(1.0, x * kg_per_m3, 2e-5 * pa * si::seconds);
+         },
+         negative, not_negative},
+        {"DragSchiller1935.density",
+         [](double x) {
+             contact::DragSchiller1935::from(1.0, x * kg_per_m3, 0.0 * pa * si::seconds);
+         },
+         {0.0},
+         positive},
+        {"DragSchiller1935.viscosity",
+         [](double x) {
+             contact::DragSchiller1935::from(1.0, 1.2 * kg_per_m3, x * pa * si::seconds);
+         },
+         negative, not_negative},
         {"DampingTsuji1992.restitution",
          [](double x) { contact::DampingTsuji1992::from(x); },
          {-0.1, 1.1, nan},

@@ -3,6 +3,7 @@
 
 #include "contact/coulomb.hpp"
 #include "contact/damping.hpp"
+#include "contact/drag_schiller1935.hpp"
 #include "contact/friction_cap.hpp"
 #include "contact/hertz.hpp"
 #include "contact/jkr.hpp"
@@ -34,6 +35,7 @@ constexpr Dimension one{0, 0, 0}, metre{0, 1, 0}, second{0, 0, 1}, kilogram{1, 0
 constexpr Dimension newton{1, 1, -2}, joule{1, 2, -2}, pascal{1, -1, -2};
 constexpr Dimension metre_per_second{0, 1, -1}, per_second{0, 0, -1};
 constexpr Dimension newton_per_metre{1, 0, -2}, kilogram_per_second{1, 0, -1};
+constexpr Dimension kilogram_per_cubic_metre{1, -3, 0}, pascal_second{1, -1, -1};
 constexpr Dimension per_inertia{-1, -2, 0};       // 1/(kg m^2)
 constexpr Dimension per_metre_second{0, -1, -1};  // 1/(m s)
 
@@ -354,9 +356,25 @@ Row twisting() {
         }};
 }
 
+Row drag() {
+    const auto state = [](double speed) {  // Re = 67 u s/m
+        return State{{{"factor", one, 1.2},
+                      {"density", kilogram_per_cubic_metre, 1.204},
+                      {"viscosity", pascal_second, 1.81e-5},
+                      {"diameter", metre, 1e-3},
+                      {"speed", metre_per_second, speed}}};
+    };
+    return {.law = "DragSchiller1935", .states = {state(0.4)}, .evaluate = [](const State& x) {
+                const contact::DragSchiller1935 law{x("factor"), x("density"), x("viscosity")};
+                const auto r = law.at(x("diameter"), x("speed"));
+                return Quantities{{"resistance", kilogram_per_second, r.value},
+                                  {"growth", kilogram_per_second, r.growth}};
+            }};
+}
+
 }  // namespace
 
 std::vector<Row> all_laws() {
-    return {hertz(),   jkr(),  damping(), viscoelastic(),  friction_cap(), mindlin(),
-            coulomb(), epsd(), sds(),     edem_standard(), rvd(),          twisting()};
+    return {hertz(), jkr(), damping(),       viscoelastic(), friction_cap(), mindlin(), coulomb(),
+            epsd(),  sds(), edem_standard(), rvd(),          twisting(),     drag()};
 }
