@@ -5,6 +5,7 @@
 #include "cases/units.hpp"
 #include "scaling/cost.hpp"
 #include "scaling/errors.hpp"
+#include "verify/scaling_map_plan.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 namespace app {
 
@@ -44,6 +46,17 @@ void scale_grain(Json& grain, const cases::Grain& g, const GrainChange& to) {
         for (Json& row : grain["size_distribution"]) row[1] = larger(row[1]);
     if (grain.contains("sizes"))
         for (Json& row : grain["sizes"]) row[0] = larger(row[0]);
+}
+
+// Equal grains would form a crystal on glued ones, the more the fewer there are, and the map was poured with these sizes. Their
+// mean volume is that of the stated grain.
+void spread_sizes(Json& grain, double d, std::vector<std::string>& notes) {
+    for (const double size : verify::map_sizes)
+        grain["sizes"].push_back({exactly(size * d / std::cbrt(verify::map_mean_cube), "m"),
+                                  1.0 / std::size(verify::map_sizes)});
+    notes.emplace_back(
+        "grains of one size would pile up as a crystal: they are of five sizes now, from 0.8 to "
+        "1.2 times the mean, as the map's are");
 }
 
 double grains_of(const cases::Experiment& e, double h) {
@@ -101,6 +114,8 @@ ScaledCase scaled_case(const cases::Case& c, const cases::Experiment& e, const G
                                    "must be the case's to be scaled by advise",
                                    "write it as the case's grain"));
     scale_grain(json["grain"], c.grain, to);
+    if (to.h > 1.0 && c.grain.sizes.empty() && c.grain.size_distribution.empty())
+        spread_sizes(json["grain"], to.h * c.grain.diameter.value.value(), result.notes);
     Json& model = json["model"];
     Json& parameters = model["parameters"];
     parameters.erase("work_of_adhesion");

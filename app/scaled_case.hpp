@@ -22,7 +22,8 @@ struct ScaledCase {
 
 // The grain, its sizes and moduli; one experiment of the rig `pile`, its apparatus kept, its count of grains by h^3 (or, where
 // it feeds until it spills, 1.5 times a heap of 45 deg that is half solid), and no recordings. A funnel whose outlet is less than
-// 10 scaled grains wide would jam: a disc as wide, at its height, feeds instead. Throws scaling::InvalidInput for several
+// 10 scaled grains wide would jam: a disc as wide, at its height, feeds instead. Larger grains of one size get the sizes of the
+// map's, as much of them in all. Throws scaling::InvalidInput for several
 // materials and for an experiment with a grain of its own.
 ScaledCase scaled_case(const cases::Case&, const cases::Experiment&, const GrainChange&);
 

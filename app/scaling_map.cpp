@@ -4,6 +4,7 @@
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
 #include "app/progress.hpp"
+#include "app/version.hpp"
 #include "cases/messages.hpp"
 #include "cases/units.hpp"
 #include "reports/scaling_map.hpp"
@@ -29,15 +30,15 @@ using scaling::mistake;
 
 struct MapOptions {
     CommonOptions common;
-    std::string out = "out", shard = "1/1", budget = "12 h";
+    std::string heaps = "out/scaling-map.csv", shard = "1/1", budget = "12 h";
     bool small = false, tiny = false;
 };
 
 constexpr const char* examples = R"(Examples:
   similitude verify scaling-map --small --report out/map.html
       some heaps of 1 600 grains and fewer: minutes
-  similitude verify scaling-map --out out/full --resume --shard 1/2 --threads 1 --json out/full/map.json
-      one half of the whole map; start 2/2 beside it with the same folder)";
+  similitude verify scaling-map --heaps data/scaling-map/heaps.csv --resume --json out/map.json
+      what is missing of the whole map is added to that file: hours, a few at a time if need be)";
 
 struct Shard {
     int number, of;
@@ -60,24 +61,24 @@ verify::MapExtent extent_of(const MapOptions& o) {
 }
 
 // Heaps of hours must not go because somebody forgot a flag.
-void refuse_to_forget(const fs::path& folder, bool resume) {
-    if (resume || !fs::exists(folder) || fs::is_empty(folder)) return;
-    throw InvalidInput(mistake("--out", folder.string() + ", which holds finished heaps",
-                               "must be a folder without heaps unless --resume is given",
-                               "say --resume to go on from them, or another --out"));
+void refuse_to_forget(const fs::path& heaps, bool resume) {
+    if (resume || !fs::exists(heaps)) return;
+    throw InvalidInput(mistake("--heaps", heaps.string() + ", which holds finished heaps",
+                               "must be no file yet unless --resume is given",
+                               "say --resume to go on from them, or another --heaps"));
 }
 
 int run(const MapOptions& o, const std::string& command) {
     const Shard shard = shard_from(o.shard);
     const double budget = cases::quantity<scaling::Time>(o.budget, "--budget").value();
-    const fs::path folder = fs::path(o.out) / "scaling-map-heaps";
-    refuse_to_forget(folder, o.common.resume);
+    refuse_to_forget(o.heaps, o.common.resume);
     watch_interrupts();
     const verify::MapPlan plan = verify::map_plan(extent_of(o));
     Progress progress(!o.common.quiet);
     verify::MapRun pouring;
     pouring.threads = threads_of(o.common);
-    pouring.folder = folder;
+    pouring.heaps = o.heaps;
+    pouring.git = git;
     pouring.shard = shard.number, pouring.shards = shard.of;
     pouring.budget = budget;
     pouring.stop = &interrupt_flag();
@@ -89,7 +90,7 @@ int run(const MapOptions& o, const std::string& command) {
         fmt::print(stderr, "similitude: interrupted; the same command with --resume goes on\n");
         return interrupted;
     }
-    const verify::ScalingMap map = verify::gather_map(plan, o.common.seed, folder);
+    const verify::ScalingMap map = verify::gather_map(plan, o.common.seed, o.heaps);
     reports::Provenance who = provenance(command, "");
     who.threads = pouring.threads;
     print(o.common, reports::text_of(map));
@@ -113,8 +114,9 @@ Verb scaling_map_verb(CLI::App& verify, const std::string& command) {
                      "no heap begins that would end later; what is missing is told")
         ->type_name("TIME")
         ->capture_default_str();
-    verb->add_option("--out", options->out, "folder in which finished heaps are remembered")
-        ->type_name("DIR")
+    verb->add_option("--heaps", options->heaps,
+                     "CSV to which each finished heap is added; with --resume those in it count")
+        ->type_name("FILE")
         ->capture_default_str();
     add_common(*verb, options->common);
     verb->footer(examples);

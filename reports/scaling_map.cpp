@@ -18,22 +18,33 @@ using verify::MapVerdict;
 using verify::ScalingMap;
 
 struct Counts {
-    std::size_t holds = 0, breaks = 0, open = 0;
+    std::size_t holds = 0, breaks = 0, open = 0, missing = 0;
 };
 
 Counts counts_of(const ScalingMap& map, const std::string& study) {
     Counts n;
     for (const MapCell& c : map.cells) {
         if (!study.empty() && c.study != study) continue;
-        ++(c.verdict == MapVerdict::holds    ? n.holds
-           : c.verdict == MapVerdict::breaks ? n.breaks
-                                             : n.open);
+        switch (c.verdict) {
+            case MapVerdict::holds:
+                ++n.holds;
+                break;
+            case MapVerdict::breaks:
+                ++n.breaks;
+                break;
+            case MapVerdict::not_decided:
+                ++n.open;
+                break;
+            case MapVerdict::not_poured:
+                ++n.missing;
+        }
     }
     return n;
 }
 
 std::string counted(const Counts& n) {
-    return fmt::format("{} hold, {} break, {} are not decided", n.holds, n.breaks, n.open);
+    return fmt::format("{} hold, {} break, {} are not decided", n.holds, n.breaks, n.open) +
+           (n.missing > 0 ? fmt::format(", {} are not poured yet", n.missing) : "");
 }
 
 double grain_steps(const ScalingMap& map) {
@@ -43,8 +54,15 @@ double grain_steps(const ScalingMap& map) {
 }
 
 std::string poured(const ScalingMap& map) {
-    return fmt::format("{} of {} heaps are poured, {} of about {} grain-steps", map.heaps.size(),
-                       map.heaps_planned, count(grain_steps(map)), count(map.grain_steps_planned));
+    std::string text =
+        fmt::format("{} of {} heaps are poured, {} of about {} grain-steps", map.heaps.size(),
+                    map.heaps_planned, count(grain_steps(map)), count(map.grain_steps_planned));
+    if (map.heaps_stale > 0)
+        text += fmt::format(
+            "; {} more heaps of the file were poured for another setup or by older laws, and are "
+            "not used",
+            map.heaps_stale);
+    return text;
 }
 
 std::string quantity_text(const MapCell& c, const char* name) {
@@ -126,9 +144,9 @@ std::string unit_of(const std::string& quantity) {
 RunSection study_section(const ScalingMap& map, const std::string& study) {
     const Counts n = counts_of(map, study);
     RunSection s{.name = words(study),
-                 .verdict = {n.breaks > 0 ? Answer::no
-                             : n.open > 0 ? Answer::cannot_tell
-                                          : Answer::yes,
+                 .verdict = {n.breaks > 0             ? Answer::no
+                             : n.open + n.missing > 0 ? Answer::cannot_tell
+                                                      : Answer::yes,
                              counted(n), ""},
                  .notes = {},
                  .figure = {map_svg(map, study, "", study),

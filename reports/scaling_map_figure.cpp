@@ -30,6 +30,8 @@ Look look(MapVerdict verdict) {
             return {"#f3b48a", "\u2717"};
         case MapVerdict::not_decided:
             return {"#f2e6a8", "?"};
+        case MapVerdict::not_poured:
+            return {"#e3e6ea", "\u2013"};
     }
     return {"", ""};
 }
@@ -60,6 +62,7 @@ std::pair<std::string, std::string> lines(const MapCell& c, const MapQuantity* q
     if (q == nullptr)
         return {std::string(look(c.verdict).sign) + " " + words(to_string(c.verdict)),
                 words(c.why)};
+    if (c.verdict == MapVerdict::not_poured) return {"", words(c.why)};
     if (q->reference.count < 2 || q->scaled.count < 2) return {"? too few heaps", ""};
     return {fmt::format("{} {}", look(q->verdict).sign, fixed(q->difference, q->margin)),
             fmt::format("[{}, {}]", fixed(q->interval.low, q->margin),
@@ -73,6 +76,7 @@ const char* factor_axis(const std::string& study) {
     if (study == "softening" || study == "single_impact")
         return "E of the reference over E (times softer)";
     if (study == "base_over_grain") return "base over grain, over the reference's";
+    if (study == "outlet_over_grain") return "outlet over grain, over the reference's";
     if (study == "drop_height") return "drop height over the reference's";
     if (study == "feed_rate") return "feed rate over the reference's";
     return "time step over the reference's";
@@ -110,7 +114,8 @@ std::string cell_svg(const Grid& g, const MapCell& c, const std::string& quantit
                  y = top + at(g.rows, Row{c.rule, c.bond}) * row_height;
     const MapQuantity* q = quantity.empty() ? nullptr : find(c, quantity);
     const auto [first, second] = lines(c, q);
-    const Look colours = look(q != nullptr ? q->verdict : c.verdict);
+    const Look colours =
+        look(q != nullptr && c.verdict != MapVerdict::not_poured ? q->verdict : c.verdict);
     std::string out = fmt::format(
         "<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" fill=\"{}\" "
         "stroke=\"none\"/>\n",

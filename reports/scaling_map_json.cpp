@@ -81,6 +81,8 @@ Json heap_json(const MapHeap& h) {
     for (const auto& value : h.values) values.push_back(value ? finite(*value) : Json(nullptr));
     return {{"name", h.name},
             {"seed", h.seed},
+            {"setup", h.setup},
+            {"git", h.git},
             {"at_rest", h.at_rest},
             {"formed", h.formed},
             {"missed", h.missed},
@@ -107,7 +109,7 @@ std::size_t whole(const Value& v) {
 verify::MapVerdict verdict_from(const Value& v) {
     const auto verdict = verify::map_verdict_named(v.text());
     if (!verdict)
-        cases::refuse(v, "must be holds, breaks or not_decided",
+        cases::refuse(v, "must be holds, breaks, not_decided or not_poured",
                       "take a file that similitude has written");
     return *verdict;
 }
@@ -163,6 +165,8 @@ MapCell cell_from(const Value& v) {
 MapHeap heap_from(const Value& v) {
     MapHeap h{.name = v.at("name").text(),
               .seed = whole(v.at("seed")),
+              .setup = v.has("setup") ? v.at("setup").text() : "",
+              .git = v.has("git") ? v.at("git").text() : "",
               .at_rest = v.at("at_rest").boolean(),
               .formed = v.at("formed").boolean(),
               .missed = {},
@@ -193,6 +197,7 @@ Json to_json(const ScalingMap& map, const Provenance& who) {
             {"reference_grains", map.reference_grains},
             {"first_seed", map.first_seed},
             {"heaps_planned", map.heaps_planned},
+            {"heaps_stale", map.heaps_stale},
             {"grain_steps_planned", map.grain_steps_planned},
             {"margins", std::move(margins)},
             {"impact_margins", std::move(impact_margins)},
@@ -213,6 +218,7 @@ ScalingMap read_scaling_map(const std::string& path) {
                    .cells = {},
                    .heaps = {},
                    .heaps_planned = whole(v.at("heaps_planned")),
+                   .heaps_stale = v.has("heaps_stale") ? whole(v.at("heaps_stale")) : 0,
                    .grain_steps_planned = v.at("grain_steps_planned").number()};
     for (const Value& c : v.at("cells").items) map.cells.push_back(cell_from(c));
     for (const Value& h : v.at("heaps").items) map.heaps.push_back(heap_from(h));

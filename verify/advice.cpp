@@ -55,7 +55,8 @@ std::vector<const MapCell*> cells_of(const ScalingMap& map, const char* study,
                                      const std::string& rule) {
     std::vector<const MapCell*> list;
     for (const MapCell& c : map.cells)
-        if (c.study == study && c.rule == rule) list.push_back(&c);
+        if (c.study == study && c.rule == rule && c.verdict != MapVerdict::not_poured)
+            list.push_back(&c);
     return list;
 }
 
@@ -91,7 +92,7 @@ const std::vector<CoarseRule>& coarse_rules() {
 std::optional<double> finest_size_ratio(const ScalingMap& map) {
     std::optional<double> finest;
     for (const MapCell& c : map.cells)
-        if (c.study == "coarse_graining")
+        if (c.study == "coarse_graining" && c.verdict != MapVerdict::not_poured)
             finest = std::max(finest.value_or(0.0), c.reference.size_ratio);
     return finest;
 }

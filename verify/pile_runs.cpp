@@ -223,21 +223,15 @@ std::optional<double> PileSample::angle_deg(rigs::Estimator estimator) const {
     return std::nullopt;
 }
 
-std::filesystem::path file_of(const PileJob& job, const std::filesystem::path& folder,
-                              const rigs::PileEngine* engine) {
+std::string fingerprint(const PileJob& job, const rigs::PileEngine* engine) {
     const std::string units = fmt::format(" units {:a} {:a}", job.unit_of_length, job.unit_of_time);
     const std::string by = engine != nullptr ? " by " + engine->key(job.setup) : "";
-    return folder /
-           fmt::format("{}-{:016x}.txt", job.name, fnv1a(described(job.setup) + units + by));
+    return fmt::format("{:016x}", fnv1a(described(job.setup) + units + by));
 }
 
-std::optional<PileSample> remembered_pile(const PileJob& job, const std::filesystem::path& folder) {
-    return remembered(job, file_of(job, folder));
-}
-
-void remember_pile(const PileSample& sample, const PileJob& job,
-                   const std::filesystem::path& folder) {
-    write_whole(file_of(job, folder), to_text(sample));
+std::filesystem::path file_of(const PileJob& job, const std::filesystem::path& folder,
+                              const rigs::PileEngine* engine) {
+    return folder / fmt::format("{}-{}.txt", job.name, fingerprint(job, engine));
 }
 
 double expected_grain_steps(const rigs::PileSetup& s) {

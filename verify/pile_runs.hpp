@@ -59,15 +59,12 @@ struct Campaign {
 struct Interrupted {};
 std::vector<PileSample> run_piles(const std::vector<PileJob>& jobs, const Campaign&);
 
-// The file of a remembered pile: its name and a fingerprint of its whole setup and of who runs it, so that another one is run anew.
+// 16 hexadecimal digits of all that a pile depends on: its setup to the last bit, the physics of this core, who runs it.
+std::string fingerprint(const PileJob&, const rigs::PileEngine* engine = nullptr);
+
+// The file of a remembered pile: its name and its fingerprint, so that another one is run anew.
 std::filesystem::path file_of(const PileJob&, const std::filesystem::path& folder,
                               const rigs::PileEngine* engine = nullptr);
-
-// The sample of a pile that has been remembered whole; nothing else.
-std::optional<PileSample> remembered_pile(const PileJob&, const std::filesystem::path& folder);
-
-// Puts the sample of the pile where the above finds it; whole, or not at all.
-void remember_pile(const PileSample&, const PileJob&, const std::filesystem::path& folder);
 
 // Grain-steps that a pile is likely to need: half of the grains are there while they are fed.
 double expected_grain_steps(const rigs::PileSetup&);

@@ -11,12 +11,15 @@ const char* to_string(MapVerdict verdict) {
             return "breaks";
         case MapVerdict::not_decided:
             return "not_decided";
+        case MapVerdict::not_poured:
+            return "not_poured";
     }
     return "";
 }
 
 std::optional<MapVerdict> map_verdict_named(const std::string& name) {
-    for (const MapVerdict v : {MapVerdict::holds, MapVerdict::breaks, MapVerdict::not_decided})
+    for (const MapVerdict v :
+         {MapVerdict::holds, MapVerdict::breaks, MapVerdict::not_decided, MapVerdict::not_poured})
         if (name == to_string(v)) return v;
     return std::nullopt;
 }

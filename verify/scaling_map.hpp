@@ -14,8 +14,8 @@
 namespace verify {
 
 // holds: the 90 % interval of the difference lies inside the margin; breaks: wholly outside, or one side forms heaps and the
-// other does not; not_decided: neither.
-enum class MapVerdict { holds, breaks, not_decided };
+// other does not; not_decided: neither; not_poured: of a cell, one side of which has no heap yet.
+enum class MapVerdict { holds, breaks, not_decided, not_poured };
 
 const char* to_string(MapVerdict);
 std::optional<MapVerdict> map_verdict_named(const std::string&);
@@ -63,6 +63,7 @@ struct MapCell {
 struct MapHeap {
     std::string name;  // unique: "bond10-e100000-base48-h2-stress_bond-seed123001"
     std::uint64_t seed;
+    std::string setup, git;  // fingerprint of what was poured; the program that poured it
     bool at_rest, formed;
     std::vector<std::string> missed;            // criteria that it does not meet
     std::vector<std::optional<double>> values;  // in the order of map_margins(), in their units
@@ -71,9 +72,9 @@ struct MapHeap {
 };
 
 // The study's names, in the order of the map.
-inline constexpr const char* map_studies[] = {"coarse_graining", "softening",   "single_impact",
-                                              "base_over_grain", "drop_height", "feed_rate",
-                                              "time_step"};
+inline constexpr const char* map_studies[] = {
+    "coarse_graining",   "softening",   "single_impact", "base_over_grain",
+    "outlet_over_grain", "drop_height", "feed_rate",     "time_step"};
 
 // Stated before the map was poured. `relative`: a share of the reference's value, for single impacts, which are exact.
 struct MapMargin {
@@ -90,8 +91,10 @@ struct ScalingMap {
     double reference_grains;  // fed to the reference heap of coarse-graining
     std::uint64_t first_seed;
     std::vector<MapCell> cells;
-    std::vector<MapHeap> heaps;        // finished
-    std::size_t heaps_planned = 0;     // by the extent; cells of what is missing are not decided
+    std::vector<MapHeap> heaps;     // finished
+    std::size_t heaps_planned = 0;  // by the extent
+    std::size_t heaps_stale =
+        0;  // in the file under a planned name, but of another setup: not used
     double grain_steps_planned = 0.0;  // expected, of all
 };
 

@@ -112,7 +112,12 @@ void conclude(MapCell& c) {
     const std::size_t least = std::min(c.reference.heaps, c.scaled.heaps);
     const bool one_sided =
         (forms(c.reference) && forms_not(c.scaled)) || (forms(c.scaled) && forms_not(c.reference));
-    if (least >= 3 && one_sided) {
+    if (least == 0) {
+        c.verdict = MapVerdict::not_poured;
+        c.why = c.scaled.heaps > 0      ? "no heaps of the reference yet"
+                : c.reference.heaps > 0 ? "no heaps but the reference's yet"
+                                        : "no heaps yet";
+    } else if (least >= 3 && one_sided) {
         c.verdict = MapVerdict::breaks;
         c.why = fmt::format("{} of {} heaps form in the reference, {} of {} here",
                             c.reference.formed, c.reference.heaps, c.scaled.formed, c.scaled.heaps);
@@ -121,7 +126,7 @@ void conclude(MapCell& c) {
         c.why = breaks;
     } else if (!open.empty()) {
         c.verdict = MapVerdict::not_decided;
-        c.why = least == 0 ? "no heaps yet" : open;
+        c.why = open;
     } else {
         c.verdict = MapVerdict::holds;
         c.why = "all quantities";
@@ -151,6 +156,8 @@ MapHeap map_heap(const PileSample& s, const MapPile& p) {
     const double width = size_ratio(p);
     MapHeap h{.name = s.name,
               .seed = s.seed,
+              .setup = {},
+              .git = {},
               .at_rest = s.at_rest,
               .formed = false,
               .missed = {},

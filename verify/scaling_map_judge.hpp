@@ -8,7 +8,7 @@ namespace verify {
 
 // What the map reads of a heap. It is formed when it is at rest and meets the criteria of rigs::formed, but for two that count in grains:
 // apex_near_axis is left out (where the apex under a round stream lies is scatter, and grows with the grain), and falls_outwards
-// allows a rise of 0.05 of the base, which stays what it is, or of one grain.
+// allows a rise of 0.05 of the base, which stays what it is, or of one grain. `setup` and `git` are left empty.
 MapHeap map_heap(const PileSample&, const MapPile&);
 
 MapSide map_side(const MapPile&, const std::vector<MapHeap>&);

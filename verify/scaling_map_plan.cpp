@@ -24,11 +24,6 @@ constexpr double poisson_ratio = 0.25;
 // With these a heap without adhesion stands at about 30 deg.
 constexpr double sliding_friction = 0.5, rolling_friction = 0.1, restitution = 0.5;
 
-// Grains of one size pile up as a crystal on the square lattice of the glued ones (0.74 of space filled without adhesion): five
-// sizes, as many of each, over d. Mean of the cubes 1.06.
-constexpr double sizes[] = {0.8, 0.9, 1.0, 1.1, 1.2};
-constexpr double mean_cube = 1.06;
-
 constexpr double feed_width = 1.0 / 3.0;  // of the feed disc, in base diameters
 // Solid volume fed, in cubes of the base diameter: a cone at 45 deg with 55 % of solid holds 0.07, one at 60 deg with 45 %
 // 0.10, so that heaps spill all around.
@@ -36,9 +31,15 @@ constexpr double solid_fed = 0.15;
 // Solid share of the usual stream where it meets the base, at sqrt(g D).
 constexpr double stream_density = 0.05;
 
+// A funnel's mouth is as wide as the base and holds nearly all that is fed; its outlet is a base diameter above the base, clear of
+// every heap. Its wall is smoother than the grains and does not hold them.
+constexpr double funnel_height = 0.75, outlet_height = 1.0;  // in base diameters
+constexpr double funnel_friction = 0.3;
+
 int grains_of(const MapPile& p) {
     const double width = p.base_ratio / p.h;
-    return static_cast<int>(std::lround(solid_fed * 6.0 / pi / mean_cube * width * width * width));
+    return static_cast<int>(
+        std::lround(solid_fed * 6.0 / pi / map_mean_cube * width * width * width));
 }
 
 // w as a rule asks for: the exponent of h solved from the group that stays (scaling/adhesion.hpp), the apparatus kept.
@@ -69,6 +70,7 @@ class Builder {
                 return k;
             }
         plan.piles.push_back(p);
+        plan.piles.back().block = block;
         return plan.piles.size() - 1;
     }
     void pair(const char* study, const std::string& rule, double factor, std::size_t reference,
@@ -76,6 +78,7 @@ class Builder {
         plan.pairs.push_back({study, rule, plan.piles[reference].bond, factor, reference, scaled});
     }
     MapPlan plan{};
+    int block = 0;  // of the piles that come next
 };
 
 MapPile plain(double bond, double elasticity, double base_ratio, int seeds) {
@@ -146,6 +149,19 @@ void base_over_grain(Builder& b, double bond, double elasticity, const std::vect
                b.pile(plain(bond, elasticity, widths[k], seeds[k])));
 }
 
+// Through a funnel's outlet, so many grains wide; the first is the reference.
+void outlet_over_grain(Builder& b, const MapPile& usual, const std::vector<double>& outlets) {
+    const auto with = [&](double outlet) {
+        MapPile p = usual;
+        p.outlet = outlet;
+        p.name += fmt::format("-outlet{:g}", outlet);
+        return b.pile(p);
+    };
+    const std::size_t from = with(outlets[0]);
+    for (std::size_t k = 1; k < outlets.size(); ++k)
+        b.pair("outlet_over_grain", "none", outlets[k] / outlets[0], from, with(outlets[k]));
+}
+
 void size_effects(Builder& b, const MapPile& usual) {
     vary(b, "drop_height", usual, &MapPile::drop_height, {1.0, 0.5, 2.0, 4.0});
     vary(b, "feed_rate", usual, &MapPile::feed_rate, {0.25, 0.5, 1.0, 2.0, 4.0});
@@ -165,26 +181,38 @@ MapPlan small_plan() {
     for (const double bond : {10.0, 0.0}) coarse_graining(b, coarse, bond, 4);
     softening(b, plain(10.0, 1e5, 12.0, 6), {10.0, 100.0});
     base_over_grain(b, 10.0, 1e4, {20.0, 14.0, 10.0}, {6, 6, 8});
+    outlet_over_grain(b, plain(0.0, 1e4, 12.0, 6), {6.0, 4.0});
     b.plan.reference_grains = grains_of(b.plan.piles[0]);
     return b.plan;
 }
 
-// Cheap piles first: the apparatus of 24 grains, then coarse grains, whose cost goes as h^-4; h = 1.25 and the widest bases last.
+// What asks most first, and cells together with their reference: coarse grains of Bond 10 and 0, whose cost goes as h^-4; the
+// effects of size in the apparatus of 24 grains; the other Bond numbers; h = 1.25, nearly as dear as the reference; 72 d.
 MapPlan full_plan() {
     Builder b("full");
     const Coarse coarse{1e5, 48.0, {1.5, 2.0, 3.0}, {6, 6, 8, 12}};
     const Coarse fine{1e5, 48.0, {1.25}, {6, 6}};
     const std::vector<double> widths{48.0, 32.0, 24.0, 16.0, 12.0};
     const std::vector<int> seeds{6, 6, 8, 12, 12};
-    size_effects(b, plain(10.0, 1e5, 24.0, 8));
     coarse_graining(b, coarse, 10.0, 4);
-    base_over_grain(b, 10.0, 1e5, widths, seeds);
+    ++b.block;
     coarse_graining(b, coarse, 0.0, 4);
-    base_over_grain(b, 0.0, 1e5, widths, seeds);
-    coarse_graining(b, coarse, 100.0, 4);
-    coarse_graining(b, coarse, 1.0, 4);
+    ++b.block;
+    size_effects(b, plain(10.0, 1e5, 24.0, 8));
+    for (const double bond : {0.0, 10.0})
+        outlet_over_grain(b, plain(bond, 1e5, 24.0, 8), {12.0, 8.0, 6.0, 5.0, 4.0});
     softening(b, plain(10.0, 1e7, 24.0, 8), {10.0, 100.0, 1000.0});
-    for (const double bond : {10.0, 0.0, 100.0, 1.0}) coarse_graining(b, fine, bond, 4);
+    ++b.block;
+    for (const double bond : {10.0, 0.0}) base_over_grain(b, bond, 1e5, widths, seeds);
+    for (const double bond : {100.0, 1.0}) {
+        ++b.block;
+        coarse_graining(b, coarse, bond, 4);
+    }
+    for (const double bond : {10.0, 0.0, 100.0, 1.0}) {
+        ++b.block;
+        coarse_graining(b, fine, bond, 4);
+    }
+    ++b.block;
     base_over_grain(b, 10.0, 1e5, {48.0, 72.0}, {6, 3});
     b.plan.reference_grains = grains_of(plain(10.0, 1e5, 48.0, 1));
     return b.plan;
@@ -213,7 +241,7 @@ PileJob map_job(const MapPile& p, std::uint64_t seed) {
                 .sliding_friction = sliding_friction,
                 .rolling_friction = rolling_friction,
                 .restitution = restitution};
-    s.walls = s.grains;  // no wall touches this heap
+    s.walls = s.grains;  // no wall touches this heap, but a funnel's
     const double feed = feed_width * base;
     const double solid_rate = stream_density * pi / 4.0 * feed * feed * std::sqrt(gravity * base);
     s.conditions = {.base = rigs::Base::glued_grains,
@@ -222,12 +250,18 @@ PileJob map_job(const MapPile& p, std::uint64_t seed) {
                     .grains = grains_of(p),
                     .drop_height = p.drop_height * base,
                     .feed_diameter = feed,
-                    .feed_rate = p.feed_rate * solid_rate / (pi / 6.0 * mean_cube * d * d * d),
+                    .feed_rate = p.feed_rate * solid_rate / (pi / 6.0 * map_mean_cube * d * d * d),
                     .funnel = {}};
+    if (p.outlet > 0.0) {
+        s.walls.work_of_adhesion = 0.0, s.walls.sliding_friction = funnel_friction;
+        s.conditions.funnel =
+            rigs::Funnel{p.outlet * reference_d, base, funnel_height * base, outlet_height * base};
+        s.conditions.feed_diameter = base;
+    }
     cases::Grain mixed{};
     mixed.diameter.value = scaling::Length::from_value(d);
-    for (const double size : sizes) {
-        mixed.sizes.emplace_back(scaling::Length::from_value(size * d), 1.0 / std::size(sizes));
+    for (const double size : map_sizes) {
+        mixed.sizes.emplace_back(scaling::Length::from_value(size * d), 1.0 / std::size(map_sizes));
         mixed.size_material.push_back(cases::material_of_grain);
     }
     rigs::choose_feed(s, mixed, seed);
@@ -251,17 +285,20 @@ MapPlan map_plan(MapExtent extent) {
 std::vector<MapTurn> map_turns(const MapPlan& plan, std::uint64_t first_seed) {
     constexpr int at_a_time = 3;
     std::vector<MapTurn> turns;
-    bool more = true;
-    for (int from = 0; more; from += at_a_time) {
-        more = false;
+    const auto pour = [&](int block, int from) {  // says whether seeds are left
+        bool more = false;
         for (std::size_t k = 0; k < plan.piles.size(); ++k) {
             const MapPile& p = plan.piles[k];
+            if (p.block != block) continue;
             for (int seed = from; seed < std::min(from + at_a_time, p.seeds); ++seed)
                 turns.push_back(
                     {k, own_seeds(p.name) + first_seed + static_cast<std::uint64_t>(seed)});
             more = more || p.seeds > from + at_a_time;
         }
-    }
+        return more;
+    };
+    for (int block = 0; block <= plan.piles.back().block; ++block)
+        for (int from = 0; pour(block, from);) from += at_a_time;
     return turns;
 }
 

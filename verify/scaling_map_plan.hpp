@@ -12,18 +12,25 @@
 
 namespace verify {
 
+// The sizes of the map's grains over d, as many of each. Grains of one size pile up as a crystal on the square lattice of the
+// glued ones (0.74 of space filled without adhesion).
+inline constexpr double map_sizes[] = {0.8, 0.9, 1.0, 1.1, 1.2};
+inline constexpr double map_mean_cube = 1.06;
+
 // A pile in groups. The apparatus is base_ratio reference grains wide and stays what it is while grains grow by h.
 struct MapPile {
-    std::string name;                         // unique, fit for a file name
-    double bond;                              // F_po/(m g) of the reference grain
-    double elasticity;                        // E/(rho g d) of the reference grain
-    double base_ratio;                        // base diameter over reference grain
-    double h = 1.0;                           // grain over reference grain
-    double softening = 1.0;                   // E over the reference's
-    double w = 1.0;                           // work of adhesion over the reference's
-    double drop_height = 0.5;                 // in base diameters
+    std::string name;          // unique, fit for a file name
+    double bond;               // F_po/(m g) of the reference grain
+    double elasticity;         // E/(rho g d) of the reference grain
+    double base_ratio;         // base diameter over reference grain
+    double h = 1.0;            // grain over reference grain
+    double softening = 1.0;    // E over the reference's
+    double w = 1.0;            // work of adhesion over the reference's
+    double drop_height = 0.5;  // in base diameters
+    double outlet = 0.0;       // of a funnel, in reference grains; 0: rain from a disc
     double feed_rate = 1.0, time_step = 1.0;  // over the usual ones
     int seeds;
+    int block = 0;  // poured after the heaps of all blocks before
 };
 
 // One heap of it, in SI: d = 0.1 mm for the reference grain; lengths, forces and times enter as groups alone.
@@ -58,8 +65,8 @@ enum class MapExtent { tiny, small, full };
 // tiny: 150 grains and one rule, for tests; small: minutes; full: hours (docs/scaling-map.md has the numbers).
 MapPlan map_plan(MapExtent);
 
-// One heap of the plan, and the order in which heaps are poured: the first three seeds of every pile, in the order of the plan,
-// then the next three, so that whole cells are filled early.
+// One heap of the plan, and the order in which heaps are poured: block by block, so that a part of the map is whole cells. In a
+// block the first three seeds of every pile, in the order of the plan, then the next three.
 struct MapTurn {
     std::size_t pile;
     std::uint64_t seed;

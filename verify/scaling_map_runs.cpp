@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "verify/scaling_map_runs.hpp"
 
+#include "verify/scaling_map_heaps.hpp"
 #include "verify/scaling_map_judge.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <exception>
 #include <mutex>
+#include <set>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -23,7 +25,7 @@ double seconds_since(Clock::time_point start) {
 class Pourer {
   public:
     Pourer(const MapPlan& plan, std::uint64_t first_seed, const MapRun& run)
-        : plan_(plan), run_(run) {
+        : plan_(plan), run_(run), known_(read_heaps(run.heaps)) {
         const std::vector<MapTurn> all = map_turns(plan, first_seed);
         for (const MapPile& p : plan.piles) cost_.push_back(expected_cost(p));
         for (std::size_t k = 0; k < all.size(); ++k)
@@ -83,7 +85,7 @@ class Pourer {
     void pour_one(std::size_t turn) {
         const MapTurn& t = turns_[turn];
         const PileJob job = map_job(plan_.piles[t.pile], t.seed);
-        if (!remembered_pile(job, run_.folder)) {
+        if (!known_.contains({job.name, fingerprint(job)})) {
             {
                 const std::lock_guard lock(mutex_);
                 if (!fits(cost_[t.pile])) {
@@ -93,12 +95,13 @@ class Pourer {
             }
             const auto begun = Clock::now();
             Campaign one;
-            one.remembered_in = run_.folder;
             one.stop = run_.stop;
             one.progress = [&](double done, double of, const std::string&) {
                 tell(turn, done / of, "");
             };
-            pour_or_note_failure(job, one);
+            MapHeap heap = map_heap(poured_or_failed(job, one), plan_.piles[t.pile]);
+            heap.setup = fingerprint(job), heap.git = run_.git;
+            append_heap(run_.heaps, heap);
             const std::lock_guard lock(mutex_);
             poured_ += cost_[t.pile];
             pouring_seconds_ += seconds_since(begun);
@@ -107,20 +110,21 @@ class Pourer {
     }
 
     // A heap whose numbers are no longer finite is an answer about its step or its grain, not the end of the map.
-    static void pour_or_note_failure(const PileJob& job, const Campaign& one) {
+    static PileSample poured_or_failed(const PileJob& job, const Campaign& one) {
         try {
-            run_piles({job}, one);
+            return run_piles({job}, one).front();
         } catch (const std::runtime_error&) {
             PileSample failed;
             failed.name = job.name;
             failed.seed = job.seed;
             failed.missed = {"finite_numbers"};
-            remember_pile(failed, job, one.remembered_in);
+            return failed;
         }
     }
 
     const MapPlan& plan_;
     const MapRun& run_;
+    const MapHeaps known_;
     std::vector<MapTurn> turns_;
     std::vector<double> cost_, part_;  // grain-steps: [piles], expected of one heap; [turns], done
     double total_ = 0.0;
@@ -139,13 +143,17 @@ MapEnd pour_map(const MapPlan& plan, std::uint64_t first_seed, const MapRun& run
 }
 
 ScalingMap gather_map(const MapPlan& plan, std::uint64_t first_seed,
-                      const std::filesystem::path& folder) {
+                      const std::filesystem::path& file) {
+    const MapHeaps known = read_heaps(file);
+    std::set<std::string> names;
+    for (const auto& entry : known) names.insert(entry.first.first);
     ScalingMap map{.extent = plan.extent,
                    .reference_grains = plan.reference_grains,
                    .first_seed = first_seed,
                    .cells = {},
                    .heaps = {},
                    .heaps_planned = 0,
+                   .heaps_stale = 0,
                    .grain_steps_planned = 0.0};
     std::vector<std::vector<MapHeap>> of_pile(plan.piles.size());
     for (const MapTurn& t : map_turns(plan, first_seed)) {
@@ -153,8 +161,10 @@ ScalingMap gather_map(const MapPlan& plan, std::uint64_t first_seed,
         ++map.heaps_planned;
         const PileJob job = map_job(p, t.seed);
         map.grain_steps_planned += expected_grain_steps(job.setup);
-        if (const auto sample = remembered_pile(job, folder))
-            of_pile[t.pile].push_back(map_heap(*sample, p));
+        if (const auto heap = known.find({job.name, fingerprint(job)}); heap != known.end())
+            of_pile[t.pile].push_back(heap->second);
+        else
+            map.heaps_stale += names.count(job.name);
     }
     for (const MapPair& pair : plan.pairs)
         map.cells.push_back(map_cell(pair, plan.piles[pair.reference], plan.piles[pair.scaled],

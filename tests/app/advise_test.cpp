@@ -36,6 +36,10 @@ TEST_CASE("advise: the case that it writes is the powder's with a larger grain",
     CHECK_FALSE(chosen.at("coarse_graining").at("beyond_the_map").empty());
     const Json written = Json::parse(contents(f / "out/advised/case.json"));
     CHECK(si(written.at("grain").at("diameter")) == Approx(80e-6 * h));
+    double cubes = 0.0;  // five sizes, whose mean volume is that of the grain
+    for (const Json& row : written.at("grain").at("sizes")) cubes += std::pow(si(row[0]), 3.0);
+    REQUIRE(written.at("grain").at("sizes").size() == 5);
+    CHECK(cubes / 5.0 == Approx(std::pow(80e-6 * h, 3.0)).epsilon(1e-6));
     CHECK(chosen.at("rule") == "stress_bond");  // w ~ h
     CHECK(si(written.at("model").at("parameters").at("work_of_adhesion").at("value")) ==
           Approx(0.33e-3 * h));

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include <filesystem>
+
 TEST_CASE(
     "verify: every exact answer carries what was expected, what came, the tolerance and its reason",
     "[app][verify]") {
@@ -106,35 +108,51 @@ TEST_CASE("verify compression: a signal or a second call goes on from what is re
     CHECK(similitude({"verify", "compression", "--seeds", "1"}).code == 2);
 }
 
-TEST_CASE("verify scaling-map: a tiny map is poured, taken up again, and never forgotten unasked",
-          "[app][verify][scaling_map]") {
+TEST_CASE(
+    "verify scaling-map: a tiny map is poured, taken up again, here and elsewhere, and never "
+    "forgotten unasked",
+    "[app][verify][scaling_map]") {
     const Folder f;
-    const Outcome o = similitude({"verify", "scaling-map", "--tiny", "--out", f / "out", "--json",
-                                  f / "map.json", "--report", f / "map.html"});
+    const Outcome o = similitude({"verify", "scaling-map", "--tiny", "--heaps", f / "heaps.csv",
+                                  "--json", f / "map.json", "--report", f / "map.html"});
     INFO(o.err);
     REQUIRE(o.code == 0);
     CHECK(contents(f / "map.html").find("h, grain over reference grain") != std::string::npos);
     const std::string map = contents(f / "map.json");
     CHECK(map.find("similitude-scaling-map/1") != std::string::npos);
-    const Outcome again = similitude({"verify", "scaling-map", "--tiny", "--out", f / "out"});
+    const Outcome again =
+        similitude({"verify", "scaling-map", "--tiny", "--heaps", f / "heaps.csv"});
     CHECK(again.code == 2);
     CHECK(again.err.find("--resume") != std::string::npos);
     const Outcome resumed = similitude({"verify", "scaling-map", "--tiny", "--resume", "--budget",
-                                        "1 us", "--out", f / "out", "--json", "-"});
+                                        "1 us", "--heaps", f / "heaps.csv", "--json", "-"});
     CHECK(resumed.code == 0);
     CHECK(resumed.json().at("heaps").size() == 4);
     CHECK(resumed.json().at("cells").at(0).at("reference").at("heaps") == 2);
+    // Half of it, and the rest elsewhere.
+    const auto poured = [&](const std::string& heaps, const char* shard) {
+        const Outcome part = similitude({"verify", "scaling-map", "--tiny", "--resume", "--shard",
+                                         shard, "--heaps", heaps, "--json", "-"});
+        REQUIRE(part.code == 0);
+        auto json = part.json();
+        json.erase("tool");
+        for (auto& heap : json.at("heaps")) heap.erase("seconds");
+        return json;
+    };
+    CHECK(poured(f / "part.csv", "2/2").at("heaps").size() == 2);
+    std::filesystem::copy(f / "part.csv", f / "elsewhere.csv");
+    CHECK(poured(f / "elsewhere.csv", "1/1") == poured(f / "heaps.csv", "1/1"));
 }
 
 TEST_CASE("verify scaling-map: a budget that is spent leaves heaps out and says so",
           "[app][verify][scaling_map]") {
     const Folder f;
-    const Outcome o = similitude(
-        {"verify", "scaling-map", "--tiny", "--budget", "1 us", "--out", f / "out", "--json", "-"});
+    const Outcome o = similitude({"verify", "scaling-map", "--tiny", "--budget", "1 us", "--heaps",
+                                  f / "heaps.csv", "--json", "-"});
     CHECK(o.code == 4);
     CHECK(o.json().at("heaps").empty());
     CHECK(o.json().at("heaps_planned") == 4);
-    CHECK(o.json().at("cells").at(0).at("verdict") == "not_decided");
+    CHECK(o.json().at("cells").at(0).at("verdict") == "not_poured");
 }
 
 TEST_CASE("verify scaling-map: shards and budgets that are none are refused",

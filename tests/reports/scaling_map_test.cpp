@@ -46,6 +46,8 @@ verify::ScalingMap sample() {
             .cells = {cell},
             .heaps = {{.name = "one-seed1",
                        .seed = 123456001,
+                       .setup = "0123456789abcdef",
+                       .git = "abc",
                        .at_rest = true,
                        .formed = false,
                        .missed = {"base_covered"},
@@ -54,6 +56,7 @@ verify::ScalingMap sample() {
                        .grain_steps = 1.5e9,
                        .seconds = 70.0}},
             .heaps_planned = 2,
+            .heaps_stale = 1,
             .grain_steps_planned = 3e9};
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "scaling/errors.hpp"
+#include "verify/scaling_map_heaps.hpp"
 #include "verify/scaling_map_judge.hpp"
 #include "verify/scaling_map_runs.hpp"
 
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <numbers>
 #include <set>
 #include <string>
@@ -51,11 +53,11 @@ const verify::MapQuantity& quantity(const verify::MapCell& c, const std::string&
 }
 
 struct Scratch {
-    std::filesystem::path path;
+    std::filesystem::path file;
     explicit Scratch(const std::string& name)
-        : path(std::filesystem::temp_directory_path() /
-               ("similitude-map-" + name + std::to_string(getpid()))) {}
-    ~Scratch() { std::filesystem::remove_all(path); }
+        : file(std::filesystem::temp_directory_path() /
+               ("similitude-map-" + name + std::to_string(getpid()) + ".csv")) {}
+    ~Scratch() { std::filesystem::remove(file); }
 };
 
 }  // namespace
@@ -110,7 +112,10 @@ TEST_CASE("scaling map: heaps on one side alone break a cell; on neither side an
     CHECK(none.verdict == MapVerdict::holds);
     CHECK(std::none_of(none.quantities.begin(), none.quantities.end(),
                        [](const auto& q) { return q.name == "angle_flank_20_80"; }));
-    CHECK(verify::map_cell(pair, p, p, {}, {}).verdict == MapVerdict::not_decided);
+    CHECK(verify::map_cell(pair, p, p, {}, {}).verdict == MapVerdict::not_poured);
+    CHECK(verify::map_cell(pair, p, p, stand, {}).verdict == MapVerdict::not_poured);
+    const verify::MapCell few = verify::map_cell(pair, p, p, stand, {heap(true, 40.0)});
+    CHECK(few.verdict == MapVerdict::not_decided);
 }
 
 TEST_CASE("scaling map: an uncovered base counts where both are 20 d and wider",
@@ -195,29 +200,121 @@ TEST_CASE("scaling map: a single impact keeps what its rule keeps and loses the 
     CHECK(quantity(cells[1], "pull_off_force").verdict == MapVerdict::breaks);
 }
 
-TEST_CASE("scaling map: two shards, one after the other, give the map of one run to the last bit",
-          "[verify][scaling_map][slow]") {
+TEST_CASE(
+    "scaling map: two shards, one after the other, give the map of one run to the last bit, and a "
+    "part is judged as a part",
+    "[verify][scaling_map][slow]") {
     const verify::MapPlan plan = verify::map_plan(verify::MapExtent::tiny);
     const Scratch whole("whole"), shared("shared");
-    REQUIRE(verify::pour_map(plan, 1, {.threads = 2, .folder = whole.path}) ==
+    REQUIRE(verify::pour_map(plan, 1, {.threads = 2, .heaps = whole.file, .git = "abc"}) ==
             verify::MapEnd::complete);
-    for (const int shard : {2, 1})
-        REQUIRE(verify::pour_map(plan, 1, {.folder = shared.path, .shard = shard, .shards = 2}) ==
-                verify::MapEnd::complete);
-    const verify::ScalingMap a = verify::gather_map(plan, 1, whole.path),
-                             b = verify::gather_map(plan, 1, shared.path);
+    const auto pour = [&](int shard) {
+        return verify::pour_map(plan, 1, {.heaps = shared.file, .shard = shard, .shards = 2});
+    };
+    REQUIRE(pour(2) == verify::MapEnd::complete);
+    CHECK(verify::gather_map(plan, 1, shared.file).heaps.size() == 2);
+    std::ofstream(shared.file, std::ios::app) << "bond10-cut off in the mid";
+    REQUIRE(pour(1) == verify::MapEnd::complete);
+    const verify::ScalingMap a = verify::gather_map(plan, 1, whole.file),
+                             b = verify::gather_map(plan, 1, shared.file);
     REQUIRE(a.heaps.size() == 4);
     REQUIRE(b.heaps.size() == 4);
     for (std::size_t k = 0; k < a.heaps.size(); ++k) {
         CHECK(a.heaps[k].seed == b.heaps[k].seed);
+        CHECK(a.heaps[k].setup == b.heaps[k].setup);
+        CHECK(a.heaps[k].git == "abc");
         CHECK(a.heaps[k].grain_steps == b.heaps[k].grain_steps);
+        CHECK(a.heaps[k].missed == b.heaps[k].missed);
         CHECK(a.heaps[k].values == b.heaps[k].values);
     }
     // Nothing is left to pour: a budget of nothing does not matter, and with no heaps it leaves all of them out.
-    CHECK(verify::pour_map(plan, 1, {.folder = whole.path, .budget = 1e-9}) ==
+    CHECK(verify::pour_map(plan, 1, {.heaps = whole.file, .budget = 1e-9}) ==
           verify::MapEnd::complete);
     const Scratch empty("empty");
-    CHECK(verify::pour_map(plan, 1, {.folder = empty.path, .budget = 1e-9}) ==
+    CHECK(verify::pour_map(plan, 1, {.heaps = empty.file, .budget = 1e-9}) ==
           verify::MapEnd::out_of_budget);
-    CHECK(verify::gather_map(plan, 1, empty.path).heaps.empty());
+    const verify::ScalingMap none = verify::gather_map(plan, 1, empty.file);
+    CHECK(none.heaps.empty());
+    CHECK(none.cells.front().verdict == MapVerdict::not_poured);
+}
+
+namespace {
+
+verify::MapHeap remembered_heap() {
+    verify::MapHeap h{};
+    h.name = "one-seed7", h.seed = 7, h.setup = "0123456789abcdef", h.git = "abc-dirty";
+    h.at_rest = true;
+    h.missed = {"base_covered", "falls_outwards"};
+    h.values.assign(verify::map_margins().size(), 1.0 / 3.0);
+    h.values[0].reset();
+    h.values[1] = -1e-300;
+    h.grains_on_base = 123.0, h.grain_steps = 4e10 + 1.0, h.seconds = 0.1;
+    return h;
+}
+
+}  // namespace
+
+TEST_CASE("scaling map: a remembered heap is read again to the last bit, from files put together",
+          "[verify][scaling_map]") {
+    const Scratch scratch("heaps"), other("more");
+    verify::MapHeap h = remembered_heap();
+    verify::append_heap(scratch.file, h);
+    h.setup = "another", h.missed.clear(), h.at_rest = false;
+    verify::append_heap(other.file, h);
+    std::ofstream(scratch.file, std::ios::app) << std::ifstream(other.file).rdbuf();
+    const verify::MapHeaps read = verify::read_heaps(scratch.file);
+    REQUIRE(read.size() == 2);
+    const verify::MapHeap &a = read.at({"one-seed7", "0123456789abcdef"}),
+                          &b = read.at({"one-seed7", "another"});
+    CHECK(a.values == h.values);
+    CHECK(a.grain_steps == h.grain_steps);
+    CHECK(a.seconds == h.seconds);
+    CHECK(a.git == "abc-dirty");
+    CHECK(a.missed == remembered_heap().missed);
+    CHECK((a.at_rest && !a.formed));
+    CHECK_FALSE((b.at_rest || b.formed));
+}
+
+TEST_CASE("scaling map: a heap of another setup is not used, and told", "[verify][scaling_map]") {
+    const verify::MapPlan plan = verify::map_plan(verify::MapExtent::tiny);
+    const Scratch scratch("stale");
+    verify::MapHeap h = remembered_heap();
+    h.name = verify::map_job(plan.piles[0], verify::map_turns(plan, 1)[0].seed).name;
+    verify::append_heap(scratch.file, h);
+    const verify::ScalingMap map = verify::gather_map(plan, 1, scratch.file);
+    CHECK(map.heaps.empty());
+    CHECK(map.heaps_stale == 1);
+}
+
+TEST_CASE("scaling map: a line that is no heap is refused by its number",
+          "[verify][scaling_map][input]") {
+    using Catch::Matchers::Contains;
+    const Scratch scratch("bad");
+    verify::append_heap(scratch.file, remembered_heap());
+    std::ofstream(scratch.file, std::ios::app) << "one-seed8,8\n";
+    CHECK_THROWS_WITH(verify::read_heaps(scratch.file),
+                      Contains("line 3") && Contains("one-seed8"));
+    std::ofstream(scratch.file) << "heap,angle\n";
+    CHECK_THROWS_WITH(verify::read_heaps(scratch.file), Contains("line 1") && Contains("header"));
+}
+
+// A change of laws, core or plan that makes them stale must be seen: pour them anew, or take them out of data/.
+TEST_CASE("scaling map: the heaps in data/ are of this plan and these laws",
+          "[verify][scaling_map][data]") {
+    const verify::MapHeaps heaps = verify::read_heaps("data/scaling-map/heaps.csv");
+    std::size_t found = 0;
+    for (const auto extent : {verify::MapExtent::small, verify::MapExtent::full}) {
+        const verify::MapPlan plan = verify::map_plan(extent);
+        for (const verify::MapTurn& t : verify::map_turns(plan, 1)) {
+            const auto& name = plan.piles[t.pile].name;
+            const auto heap = heaps.lower_bound({name + "-seed" + std::to_string(t.seed), ""});
+            if (heap == heaps.end() || heap->second.seed != t.seed) continue;
+            ++found;
+            if (t.seed % 1000 ==
+                1)  // the first of each pile; the others have its setup but for chance
+                CHECK(heap->second.setup ==
+                      verify::fingerprint(verify::map_job(plan.piles[t.pile], t.seed)));
+        }
+    }
+    CHECK(found == heaps.size());
 }
