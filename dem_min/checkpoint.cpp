@@ -12,7 +12,7 @@ namespace dem_min {
 namespace {
 
 constexpr std::uint64_t format =
-    0x73696d696c2f3034;  // "simil/04": raise the last digit when the layout changes
+    0x73696d696c2f3035;  // "simil/05": raise the last digit when the layout changes
 
 struct Writer {
     std::ofstream& out;
@@ -58,7 +58,10 @@ void visit(Simulation& s, Visit&& each) {
     each(s.births);
     each(s.past);
     for (Wall& wall : s.walls)
-        if (Plane* plane = std::get_if<Plane>(&wall)) each(*plane);
+        if (Plane* plane = std::get_if<Plane>(&wall))
+            each(*plane);
+        else if (Shell* shell = std::get_if<Shell>(&wall))
+            each(*shell);
     for (Array* array : s.grains.arrays()) each(*array);
     each(s.grains.id);
     each(s.grains.material);
