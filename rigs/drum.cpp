@@ -94,6 +94,25 @@ void add_velocities(FlowRun& run, const Surface& surface, double d, std::size_t 
     }
 }
 
+// Straight between the cells' middles; nothing beyond them but for half a cell.
+std::vector<cases::Column> at_depths(const std::vector<cases::Column>& cells,
+                                     const std::vector<double>& depths) {
+    const std::vector<double>&x = cells[0].values, &v = cells[1].values;
+    std::vector<cases::Column> asked{{"depth", "m", depths, {}}, {"velocity", "m/s", {}, {}}};
+    for (const double depth : depths) {
+        const auto above =
+            static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), depth) - x.begin());
+        double value = std::nan("");
+        if (above > 0 && above < x.size())
+            value = v[above - 1] +
+                    (depth - x[above - 1]) / (x[above] - x[above - 1]) * (v[above] - v[above - 1]);
+        else if (!x.empty() && depth >= 0.0 && depth <= x.back() + x.front())
+            value = above == 0 ? v.front() : v.back();
+        asked[1].values.push_back(value);
+    }
+    return asked;
+}
+
 double turn_time(const Drum& drum) { return 2.0 * std::numbers::pi / drum.speed; }
 
 }  // namespace
@@ -172,6 +191,7 @@ void complete(const Drum& drum, FlowRecord& r, const FlowRun& run, const FlowSet
         r.profile[0].values.push_back((static_cast<double>(cell) + 0.5) * setup.d);
         r.profile[1].values.push_back(run.state.noted.at(key("velocity_", cell)) / seen->second);
     }
+    if (!setup.depths.empty()) r.profile = at_depths(r.profile, setup.depths);
     const std::vector<double>& t = r.channels[0].values;
     double sum = 0.0, squares = 0.0, level = 0.0, n = 0.0;
     for (std::size_t k = 0; k < t.size(); ++k) {

@@ -63,6 +63,7 @@ struct FlowSetup {
     double every;                      // s, between two looks, where `times` has none
     std::vector<double> times;         // s, of the looks, rising; then the run ends with the last
     std::vector<std::vector<double>> spots;  // m, [times], r of the profiles asked for; or empty
+    std::vector<double> depths;  // m, at which a drum's velocities are asked for; or empty
 };
 
 // The material and the model of a case with the conditions of one of its experiments, of rig `discharge`, `column` or `drum`.

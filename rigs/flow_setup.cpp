@@ -137,6 +137,7 @@ void choose_steps(FlowSetup& s) {
 
 // Instants of the recording, each once; and of a column the spots that were looked at then.
 void take_recording(FlowSetup& s, const cases::Recording& recording) {
+    if (recording.has("depth")) s.depths = recording.values("depth");
     if (!recording.has("t")) return;
     std::map<double, std::vector<double>> spots;
     const std::vector<double>& t = recording.values("t");
@@ -222,6 +223,7 @@ FlowSetup scaled(const FlowSetup& original, const scaling::ScaleMap& map) {
     times(map.factor("contact_time"), s.time_step);
     times(time, s.rest_duration, s.longest, s.every);
     for (double& t : s.times) t *= time;
+    for (double& depth : s.depths) depth *= apparatus;
     for (std::vector<double>& here : s.spots)
         for (double& r : here) r *= apparatus;
     for (std::size_t k = 0; k < s.radius.size(); ++k)

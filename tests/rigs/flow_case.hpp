@@ -35,16 +35,14 @@ inline cases::Case flow_case(const std::string& rig, const std::string& conditio
 }
 
 inline rigs::FlowSetup flow_setup(const std::string& rig, const std::string& conditions,
-                                  const std::string& recording = "", std::uint64_t seed = 1) {
+                                  const std::string& recording = "") {
     const cases::Case c = flow_case(rig, conditions, recording);
-    return rigs::flow_setup(c, c.experiments.at(0), seed);
+    return rigs::flow_setup(c, c.experiments.at(0), 1);
 }
 
-inline rigs::FlowRun run_of(const rigs::FlowSetup& setup, int threads = 1,
-                            std::int64_t at_a_time = 5000) {
-    rigs::FlowRun run = rigs::begin_flow(setup, threads);
-    run.simulation.settings.grains_per_thread = 1;
-    while (!run.state.finished) rigs::advance(run, setup, at_a_time);
+inline rigs::FlowRun run_of(const rigs::FlowSetup& setup) {
+    rigs::FlowRun run = rigs::begin_flow(setup, 1);
+    while (!run.state.finished) rigs::advance(run, setup, 5000);
     return run;
 }
 
