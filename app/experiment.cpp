@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/experiment.hpp"
 
+#include "app/flow_task.hpp"
 #include "app/forward_curves.hpp"
 #include "app/peer_run.hpp"
 #include "app/pile_cost.hpp"
@@ -34,16 +35,15 @@ using scaling::mistake;
 // A frame of 300 grains has some 60 kB; a slip of the unit would fill the disk with them.
 constexpr double most_frames_unasked = 1e4;
 
-void refuse_frames(const DumpPlan& plan, const rigs::PileSetup& setup, bool yes) {
+void refuse_frames(const DumpPlan& plan, double step, std::int64_t steps, bool yes) {
     if (plan.formats.empty()) return;
     const std::string got = reports::quantity(plan.every, "s");
-    const double step = setup.time_step;
     if (plan.every < step)
         throw InvalidInput(
             mistake("--dump-every", got,
                     "must not be shorter than a time step, " + reports::quantity(step, "s"),
                     "write a longer simulated time"));
-    const double run = static_cast<double>(rigs::expected_steps(setup)) * step;  // s
+    const double run = static_cast<double>(steps) * step;  // s
     if (!yes && run / plan.every > most_frames_unasked)
         throw InvalidInput(
             mistake("--dump-every", got, "must not make more than 1e4 frames unasked",
@@ -58,41 +58,50 @@ std::uint64_t files_of(const Case& c, const Experiment& e) {
     return state;
 }
 
+RunPlan plan_of(const Case& c, const Experiment& e, const CommonOptions& o, const RunPlace& place) {
+    return {.id = e.id,
+            .folder = place.folder,
+            .fingerprint =
+                fingerprint_of(fmt::format("\n{} {} {}", e.id, o.seed, version), files_of(c, e)),
+            .threads = threads_of(o),
+            .resume = o.resume,
+            .progress = !o.quiet,
+            .dump = place.dump,
+            .checkpoint_every = place.checkpoint_every};
+}
+
 PileTask pile_task(const Case& c, const Experiment& e, const CommonOptions& o,
                    const RunPlace& place) {
-    const int threads = threads_of(o);
-    PileTask task{.id = e.id,
-                  .setup = chosen_setup(c, e, o.seed, place.yes, place.engine),
-                  .folder = place.folder,
-                  .fingerprint = fingerprint_of(fmt::format("\n{} {} {}", e.id, o.seed, version),
-                                                files_of(c, e)),
-                  .threads = threads,
-                  .resume = o.resume,
-                  .progress = !o.quiet,
-                  .dump = place.dump,
-                  .checkpoint_every = place.checkpoint_every};
+    PileTask task{plan_of(c, e, o, place), chosen_setup(c, e, o.seed, place.yes, place.engine)};
     if (place.engine.lammps_rules)
-        task.fingerprint = fingerprint_of("lammps rules", task.fingerprint);
+        task.plan.fingerprint = fingerprint_of("lammps rules", task.plan.fingerprint);
     if (place.sleep) {
         task.setup.sleep_speed = rigs::speed_of_rest(task.setup);
-        task.fingerprint = fingerprint_of("sleep", task.fingerprint);
+        task.plan.fingerprint = fingerprint_of("sleep", task.plan.fingerprint);
     }
-    refuse_frames(place.dump, task.setup, place.yes);
-    if (!place.yes) refuse_unaffordable(e, task.setup, threads);
+    const std::int64_t steps = rigs::expected_steps(task.setup);
+    refuse_frames(place.dump, task.setup.time_step, steps, place.yes);
+    if (!place.yes) refuse_unaffordable(e, task.setup.feed_time.size(), steps, task.plan.threads);
     return task;
+}
+
+// What there is to say of a run wherever it ended.
+ExperimentRun run_so_far(const RunPlan& plan, const std::string& rig, const RunOutcome& outcome) {
+    ExperimentRun run{
+        plan.id, rig, outcome.seconds, std::nullopt, {{"interrupted_at_step", outcome.steps}}};
+    run.dumps = outcome.dumps;
+    run.frames = outcome.frames;
+    if (outcome.finished) run.forget = [plan] { forget(plan); };
+    return run;
 }
 
 ExperimentRun pile_run(const PileTask& task) {
     const PileOutcome outcome = run_pile(task);
-    ExperimentRun run{
-        task.id, "pile", outcome.seconds, std::nullopt, {{"interrupted_at_step", outcome.steps}}};
-    run.dumps = outcome.dumps;
-    run.frames = outcome.frames;
+    ExperimentRun run = run_so_far(task.plan, "pile", outcome.run);
     if (!outcome.record) return run;
-    run.tables = write_pile(task.folder, task.id, *outcome.record);
-    run.section = reports::pile_section(task.id, *outcome.record);
+    run.tables = write_pile(task.plan.folder, task.plan.id, *outcome.record);
+    run.section = reports::pile_section(task.plan.id, *outcome.record);
     run.result = reports::to_json(*outcome.record);
-    run.forget = [task] { forget(task); };
     return run;
 }
 
@@ -101,6 +110,50 @@ std::function<ExperimentRun()> prepared_pile(const Case& c, const Experiment& e,
     PileTask task = pile_task(c, e, o, place);
     if (place.engine.peer != nullptr) return prepared_pile_in_peer(task, o, place);
     return [task] { return pile_run(task); };
+}
+
+bool is_flow(const Experiment& e) {
+    return e.rig == "discharge" || e.rig == "column" || e.rig == "drum";
+}
+
+ExperimentRun flow_run(const FlowTask& task, const Experiment& e) {
+    const FlowOutcome outcome = run_flow(task);
+    ExperimentRun run = run_so_far(task.plan, e.rig, outcome.run);
+    if (!outcome.record) return run;
+    const rigs::FlowRecord& record = *outcome.record;
+    const std::string& id = task.plan.id;
+    std::vector<double> x, y, z;
+    for (const contact::Vec3 at : record.grains.centre)
+        x.push_back(at.x), y.push_back(at.y), z.push_back(at.z);
+    run.tables = {{id, record.channels},
+                  {id + "-grains",
+                   {{"x", "m", x, {}},
+                    {"y", "m", y, {}},
+                    {"z", "m", z, {}},
+                    {"radius", "m", record.grains.radius, {}}}}};
+    if (!record.profile.empty()) run.tables.push_back({id + "-velocity", record.profile});
+    for (const reports::ChannelTable& table : run.tables)
+        if (!table.columns.empty())
+            cases::write_csv((task.plan.folder / (table.name + ".csv")).string(), table.columns);
+    run.section = reports::flow_section(id, record, e.recording ? &*e.recording : nullptr);
+    run.result = reports::to_json(record);
+    return run;
+}
+
+std::function<ExperimentRun()> prepared_flow(const Case& c, const Experiment& e,
+                                             const CommonOptions& o, const RunPlace& place) {
+    const auto refuse = [&](const char* option) {
+        throw InvalidInput(mistake(option, "rig " + cases::in_quotes(e.rig),
+                                   "must go with another rig", "leave it out"));
+    };
+    if (place.engine.peer != nullptr) refuse("--engine");
+    if (place.engine.lammps_rules) refuse("--contact");
+    const FlowTask task{plan_of(c, e, o, place), rigs::flow_setup(c, e, o.seed)};
+    refuse_frames(place.dump, task.setup.time_step, rigs::expected_steps(task.setup), place.yes);
+    if (!place.yes)
+        refuse_unaffordable(e, task.setup.place.size(), rigs::expected_steps(task.setup),
+                            task.plan.threads);
+    return [task, &e] { return flow_run(task, e); };
 }
 
 ExperimentRun drop_run(const Experiment& e, const rigs::DropSetup& setup,
@@ -190,13 +243,14 @@ rigs::PileSetup chosen_setup(const Case& c, const Experiment& e, std::uint64_t s
     return setup;
 }
 
-bool can_simulate(const Experiment& e) {
-    return e.rig == "pile" || e.rig == "drop" || has_curves(e);
-}
+bool has_frames(const Experiment& e) { return e.rig == "pile" || is_flow(e); }
+
+bool can_simulate(const Experiment& e) { return has_frames(e) || e.rig == "drop" || has_curves(e); }
 
 std::function<ExperimentRun()> prepared(const Case& c, const Experiment& e, const CommonOptions& o,
                                         const RunPlace& place) {
     if (e.rig == "pile") return prepared_pile(c, e, o, place);
+    if (is_flow(e)) return prepared_flow(c, e, o, place);
     if (place.engine.peer != nullptr) return prepared_in_peer(c, e, o, place);
     if (e.rig == "drop")
         return [&e, setup = rigs::drop_setup(c, e), folder = place.folder] {
@@ -209,9 +263,8 @@ std::function<ExperimentRun()> prepared(const Case& c, const Experiment& e, cons
         };
     }
     throw InvalidInput(mistake("experiment " + cases::in_quotes(e.id),
-                               "rig " + cases::in_quotes(e.rig),
-                               "must be of the rig pile, drop, incline, impact or pull_off",
-                               "no other rig can be simulated yet"));
+                               "rig " + cases::in_quotes(e.rig), "must be of a rig that runs",
+                               "similitude simulate --help names them"));
 }
 
 std::string bytes_of(const std::string& path) {

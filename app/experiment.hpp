@@ -64,13 +64,15 @@ struct RunPlace {
 };
 
 // Checks everything that can be wrong with the experiment now and returns what runs it later:
-// ID.csv with the rig's channels, ID-grains.csv of a pile. Throws scaling::InvalidInput for a rig
+// ID.csv with the rig's channels, ID-grains.csv of a pile or a vessel. Throws scaling::InvalidInput for a rig
 // that cannot be simulated, for a pile that is fed without a count, for a cost beyond a night unless
 // `yes`, and for frames that lie closer than time steps. A drop has no frames.
 std::function<ExperimentRun()> prepared(const cases::Case&, const cases::Experiment&,
                                         const CommonOptions&, const RunPlace&);
 
 bool can_simulate(const cases::Experiment&);
+
+bool has_frames(const cases::Experiment&);  // a rig whose grains --dump can write
 
 std::string bytes_of(const std::string& path);
 

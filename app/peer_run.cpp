@@ -59,14 +59,14 @@ void refuse_for_peer(const CommonOptions& o, const RunPlace& place) {
 
 ExperimentRun pile_in_peer(const PileTask& task, const EngineChoice& choice) {
     const Peer& peer = *choice.peer;
-    const std::filesystem::path folder = deck_folder(task.folder, task.id, peer);
+    const std::filesystem::path folder = deck_folder(task.plan.folder, task.plan.id, peer);
     const engines::Deck deck = peer.pile(task.setup, {.nearest = choice.nearest});
     engines::write_deck(deck, folder);
     std::vector<std::string> off;
     if (choice.nearest)
         off = engines::how_far_off(peer, engines::program_of(peer), task.setup, folder / "nearest");
     const double expected = static_cast<double>(rigs::expected_steps(task.setup));
-    Progress progress(task.progress);
+    Progress progress(task.plan.progress);
     progress.start(0.0);
     std::int64_t reached = 0;
     engines::PeerPileRun result = engines::run_pile(
@@ -76,18 +76,18 @@ ExperimentRun pile_in_peer(const PileTask& task, const EngineChoice& choice) {
             const double step = static_cast<double>(p.step);
             if (progress.due())
                 progress.show(step, expected,
-                              fmt::format("{} in {}: step {}, {}, {} grains, kinetic {}", task.id,
-                                          peer.title, reports::count(step),
+                              fmt::format("{} in {}: step {}, {}, {} grains, kinetic {}",
+                                          task.plan.id, peer.title, reports::count(step),
                                           reports::quantity(step * task.setup.time_step, "s"),
                                           p.grains, reports::quantity(p.kinetic, "J")));
         });
     ExperimentRun run{
-        task.id, "pile", result.seconds, std::nullopt, {{"interrupted_at_step", reached}}};
+        task.plan.id, "pile", result.seconds, std::nullopt, {{"interrupted_at_step", reached}}};
     if (result.end) {
         rigs::PileRecord& record = result.end->record;
         for (std::string& said : off) record.notes.push_back(std::move(said));
-        run.tables = write_pile(task.folder, task.id, record);
-        run.section = reports::pile_section(task.id, record);
+        run.tables = write_pile(task.plan.folder, task.plan.id, record);
+        run.section = reports::pile_section(task.plan.id, record);
         run.result = reports::to_json(record);
     }
     run.result["engine"] =

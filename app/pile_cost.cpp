@@ -53,21 +53,23 @@ rigs::PileSetup counted_setup(const cases::Case& c, const Experiment& e, std::ui
     return rigs::pile_setup(c, e, seed);
 }
 
-double seconds_of(const rigs::PileSetup& setup, int threads) {
-    return static_cast<double>(setup.feed_time.size()) *
-           static_cast<double>(rigs::expected_steps(setup)) / measured_speed(threads);
+static double seconds_of(std::size_t grains, std::int64_t steps, int threads) {
+    return static_cast<double>(grains) * static_cast<double>(steps) / measured_speed(threads);
 }
 
-void refuse_unaffordable(const Experiment& e, const rigs::PileSetup& setup, int threads) {
-    const double grains = static_cast<double>(setup.feed_time.size());
-    const double steps = static_cast<double>(rigs::expected_steps(setup));
-    const double seconds = seconds_of(setup, threads);
-    if (seconds > longest_unasked)
-        refuse_cost(
-            e,
-            fmt::format("{} grains x {} steps, about {} on this machine", reports::count(grains),
-                        reports::count(steps), reports::quantity(seconds, "s")),
-            "must not need more than 12 h unasked");
+double seconds_of(const rigs::PileSetup& setup, int threads) {
+    return seconds_of(setup.feed_time.size(), rigs::expected_steps(setup), threads);
+}
+
+void refuse_unaffordable(const Experiment& e, std::size_t grains, std::int64_t steps, int threads) {
+    const double seconds = seconds_of(grains, steps, threads);
+    if (seconds <= longest_unasked) return;
+    refuse_cost(
+        e,
+        fmt::format("{} grains x {} steps, about {} on this machine",
+                    reports::count(static_cast<double>(grains)),
+                    reports::count(static_cast<double>(steps)), reports::quantity(seconds, "s")),
+        "must not need more than 12 h unasked");
 }
 
 }  // namespace app

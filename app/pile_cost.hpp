@@ -19,6 +19,7 @@ constexpr double longest_unasked = 12.0 * 3600.0;  // s: a night
 double seconds_of(const rigs::PileSetup&, int threads);
 
 // Throws scaling::InvalidInput where the run would take more than 12 hours.
-void refuse_unaffordable(const cases::Experiment&, const rigs::PileSetup&, int threads);
+void refuse_unaffordable(const cases::Experiment&, std::size_t grains, std::int64_t steps,
+                         int threads);
 
 }  // namespace app

@@ -149,20 +149,20 @@ RunPlace place_of(const SimulateOptions& o) {
             wall,  o.sleep, engine_choice(o.engine, o.ranks, o.contact)};
 }
 
-void refuse_dump_without_pile(const std::vector<const Experiment*>& experiments,
-                              const RunPlace& p) {
+void refuse_dump_without_grains(const std::vector<const Experiment*>& experiments,
+                                const RunPlace& p) {
     if (p.dump.formats.empty()) return;
     for (const Experiment* e : experiments)
-        if (e->rig == "pile") return;
-    throw InvalidInput(mistake("--dump", "no pile among the experiments", "must be of a pile",
-                               "the path of a drop stands in its ID.csv"));
+        if (has_frames(*e)) return;
+    throw InvalidInput(mistake("--dump", "no pile, silo, column or drum among the experiments",
+                               "must be of one", "the path of a drop stands in its ID.csv"));
 }
 
 int run(const SimulateOptions& o, const std::string& command) {
     const Case c = cases::read_case(o.path);
     const RunPlace place = place_of(o);
     const std::vector<const Experiment*> experiments = chosen(c, o.experiment);
-    refuse_dump_without_pile(experiments, place);
+    refuse_dump_without_grains(experiments, place);
     std::vector<std::function<ExperimentRun()>> todo;
     for (const Experiment* e : experiments) todo.push_back(prepared(c, *e, o.common, place));
     std::filesystem::create_directories(o.out);
@@ -205,9 +205,9 @@ Verb simulate_verb(CLI::App& app, const std::string& command) {
         ->type_name("DIR")
         ->capture_default_str();
     verb->add_flag("--yes", options->yes, "run even where the estimate says more than 12 hours");
-    verb->add_option(
-            "--dump", options->dump,
-            "frames of the piles: lammps (also OVITO), vtp (ParaView), extxyz (OVITO, ASE)")
+    verb->add_option("--dump", options->dump,
+                     "frames of piles, silos, columns, drums: lammps (also OVITO), vtp (ParaView), "
+                     "extxyz (OVITO, ASE)")
         ->type_name("FORMAT[,FORMAT]");
     verb->add_option("--dump-every", options->dump_every,
                      "simulated time between two frames, with its unit: \"1 ms\"")

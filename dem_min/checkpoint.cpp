@@ -58,7 +58,10 @@ void visit(Simulation& s, Visit&& each) {
     each(s.births);
     each(s.past);
     for (Wall& wall : s.walls)
-        if (Plane* plane = std::get_if<Plane>(&wall)) each(*plane);
+        if (Plane* plane = std::get_if<Plane>(&wall))
+            each(*plane);
+        else if (Shell* shell = std::get_if<Shell>(&wall))
+            each(*shell);
     for (Array* array : s.grains.arrays()) each(*array);
     each(s.grains.id);
     each(s.grains.material);

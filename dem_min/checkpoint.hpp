@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The moving part of a simulation on disk: grains, planes, contacts with their whole history, sums, clock. Laws, other walls and
+// The moving part of a simulation on disk: grains, planes, shells, contacts with their whole history, sums, clock. Laws, meshes and
 // settings are not in it: they come from the case again. A run that goes on from a checkpoint gives the bits of one that
 // was never interrupted (the neighbour list is made anew, which changes no force).
 #pragma once

@@ -167,31 +167,31 @@ void remove_lost(Simulation& s) {
     renumber(s, new_index);
 }
 
-std::vector<Plane*> moving_walls(Simulation& s) {
-    std::vector<Plane*> moving;
+std::vector<Wall*> moving_walls(Simulation& s) {
+    std::vector<Wall*> moving;
     for (Wall& wall : s.walls)
-        if (auto* plane = std::get_if<Plane>(&wall);
-            plane != nullptr && contact::dot(plane->velocity, plane->velocity) > 0.0)
-            moving.push_back(plane);
+        if (moves(wall)) moving.push_back(&wall);
     return moving;
 }
 
-void move_walls(Simulation& s, const std::vector<Plane*>& moving) {
-    double fastest = 0.0;
-    for (Plane* plane : moving) {
-        plane->point = plane->point + s.settings.time_step * plane->velocity;
-        fastest = std::max(fastest, contact::norm(plane->velocity));
-    }
-    if (fastest > 0.0)
-        for (Tile& tile : s.tiles)
-            tile.way_from_walls += fastest * s.settings.time_step + tile.rounding;
+void move_walls(Simulation& s, const std::vector<Wall*>& moving) {
+    double longest = 0.0;
+    for (Wall* wall : moving) longest = std::max(longest, carry_on(*wall, s.settings.time_step));
+    if (longest > 0.0)
+        for (Tile& tile : s.tiles) tile.way_from_walls += longest + tile.rounding;
 }
 
 double half_step_work_of_walls(const Simulation& s, const Contacts& c) {
     double sum = 0.0;
     for (std::size_t k = 0; k < c.count(); ++k) {
+        const Wall& wall = s.walls[static_cast<std::size_t>(c.j[k])];
+        if (!moves(wall)) continue;
+        const Vec3 place = s.grains.position(static_cast<std::size_t>(c.i[k]));
+        const WallDistance way = distance(wall, place);
         const Vec3 on_wall{c.books.fx[k], c.books.fy[k], c.books.fz[k]};
-        sum -= contact::dot(on_wall, velocity(s.walls[static_cast<std::size_t>(c.j[k])]));
+        const Vec3 turning_wall{c.books.tjx[k], c.books.tjy[k], c.books.tjz[k]};
+        sum -= contact::dot(on_wall, velocity(wall, place + way.distance * way.n)) +
+               contact::dot(turning_wall, spin(wall));
     }
     return 0.5 * s.settings.time_step * sum;
 }

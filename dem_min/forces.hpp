@@ -111,8 +111,8 @@ void end_step(Simulation&, std::size_t tile);
 Drift end_and_begin_step(Simulation&, std::size_t tile);
 
 // Walls that move, and what a step does to them: each comes on by its way, and the tiles' ways from walls grow by the longest.
-std::vector<Plane*> moving_walls(Simulation&);
-void move_walls(Simulation&, const std::vector<Plane*>& moving);
+std::vector<Wall*> moving_walls(Simulation&);
+void move_walls(Simulation&, const std::vector<Wall*>& moving);
 
 // J, half a step's work of moving walls on the grains of these contacts, with the forces that stand in their books.
 double half_step_work_of_walls(const Simulation&, const Contacts&);

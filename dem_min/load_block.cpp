@@ -298,10 +298,12 @@ void gather_walls(const Simulation& s, const Contacts& c, std::size_t first, int
         const WallDistance way = distance(s.walls[wall], p.position(i));
         b.nx[k] = way.n.x, b.ny[k] = way.n.y, b.nz[k] = way.n.z;
         b.distance[k] = way.distance;
-        const Vec3 u = velocity(s.walls[wall]) - p.velocity(i);
+        const Vec3 u =
+            velocity(s.walls[wall], p.position(i) + way.distance * way.n) - p.velocity(i);
+        const Vec3 turn = spin(s.walls[wall]);
         b.ux[k] = u.x, b.uy[k] = u.y, b.uz[k] = u.z;
         b.ix[k] = p.wx[i], b.iy[k] = p.wy[i], b.iz[k] = p.wz[i];
-        b.jx[k] = b.jy[k] = b.jz[k] = 0.0;
+        b.jx[k] = turn.x, b.jy[k] = turn.y, b.jz[k] = turn.z;
         b.r_i[k] = p.radius[i], b.r_j[k] = 0.0;
         b.inverse_inertia_i[k] = p.inverse_inertia[i], b.inverse_inertia_j[k] = 0.0;
     }

@@ -300,7 +300,7 @@ void advance(Simulation& s, std::int64_t steps) {
     bool begun =
         false;  // the end of one step and the beginning of the next are one walk over the grains
     s.spare.resize(std::max(s.spare.size(), static_cast<std::size_t>(s.team())));
-    const std::vector<Plane*> moving = moving_walls(s);
+    const std::vector<Wall*> moving = moving_walls(s);
     const bool books = has_books_from_afar(s);  // they want the velocities between two steps
     for (std::int64_t done = 0; done < steps; ++done) {
         if (books) keep_books_from_afar(s);

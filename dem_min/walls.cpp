@@ -45,9 +45,34 @@ double clearance(const Wall& wall, Vec3 point) {
     return distance(wall, point).distance;
 }
 
-Vec3 velocity(const Wall& wall) {
-    const auto* plane = std::get_if<Plane>(&wall);
-    return plane != nullptr ? plane->velocity : Vec3{};
+Vec3 velocity(const Wall& wall, Vec3 point) {
+    if (const auto* plane = std::get_if<Plane>(&wall)) return plane->velocity;
+    const auto* shell = std::get_if<Shell>(&wall);
+    if (shell == nullptr) return {};
+    if (shell->spin == 0.0) return {0.0, 0.0, shell->rise};
+    return {-shell->spin * point.y, shell->spin * point.x, shell->rise};
+}
+
+Vec3 spin(const Wall& wall) {
+    const auto* shell = std::get_if<Shell>(&wall);
+    return shell != nullptr ? Vec3{0.0, 0.0, shell->spin} : Vec3{};
+}
+
+bool moves(const Wall& wall) {
+    if (const auto* plane = std::get_if<Plane>(&wall))
+        return contact::dot(plane->velocity, plane->velocity) > 0.0;
+    const auto* shell = std::get_if<Shell>(&wall);
+    return shell != nullptr && (shell->rise != 0.0 || shell->spin != 0.0);
+}
+
+double carry_on(Wall& wall, double time) {
+    if (auto* plane = std::get_if<Plane>(&wall)) {
+        plane->point = plane->point + time * plane->velocity;
+        return time * contact::norm(plane->velocity);
+    }
+    auto& shell = std::get<Shell>(wall);
+    shell.z0 += time * shell.rise, shell.z1 += time * shell.rise;
+    return time * std::abs(shell.rise);
 }
 
 static Box bounds(const Plane&) {

@@ -2,7 +2,7 @@
 // Rigid walls. Three shapes serve every rig: a plane; a thin shell of revolution about the z axis whose generating
 // line is a segment in the (r, z) half-plane: a disc (0, 0)-(R, 0), a tube (R, z0)-(R, z1), a cone or a funnel
 // (r0, z0)-(r1, z1); and a smooth patch of a mesh of triangles (dem_min/mesh.hpp). Shells and patches are felt from both sides
-// and at their rims. Only a plane may move.
+// and at their rims. A plane may move; a shell may rise along its axis and spin about it.
 #pragma once
 
 #include "contact/vec3.hpp"
@@ -24,6 +24,9 @@ struct Plane {
 
 struct Shell {
     double r0, z0, r1, z1;  // m, ends of the generating segment, r >= 0
+    // Kept until the caller gives others, by whatever force: m/s along the axis, which a step carries z0 and z1 along by; rad/s about
+    // it, right-handed, which drags at grains and changes no shape.
+    double rise = 0.0, spin = 0.0;
 };
 
 struct Mesh;  // dem_min/mesh.hpp
@@ -51,7 +54,12 @@ WallDistance distance(const Wall&, Vec3 point);
 // this, because a grain that rolls over a sharp edge is handed from one patch to the next at full overlap.
 double clearance(const Wall&, Vec3 point);
 
-Vec3 velocity(const Wall&);  // m/s
+Vec3 velocity(const Wall&, Vec3 point);  // m/s, of the wall's matter at that point
+Vec3 spin(const Wall&);                  // rad/s
+bool moves(const Wall&);                 // or spins
+
+// The wall after `time` of its motion. Returns the way of its shape, m.
+double carry_on(Wall&, double time);
 
 // Along the axes; infinite for a plane.
 struct Box {

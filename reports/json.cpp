@@ -235,6 +235,16 @@ Json to_json(const rigs::DropRecord& r) {
             {"steps", r.steps}};
 }
 
+Json to_json(const rigs::FlowRecord& r) {
+    Json quantities = Json::object();
+    for (const rigs::FlowQuantity& q : r.quantities)
+        quantities[q.name] = {{"value", finite(q.value)}, {"unit", q.unit}};
+    return {{"ending", r.ending},
+            {"quantities", std::move(quantities)},
+            {"steps", r.steps},
+            {"hash", fmt::format("{:016x}", r.hash)}};
+}
+
 Json to_json(const Provenance& p) {
     Json json = {{"name", "similitude"},
                  {"version", p.version},

@@ -7,6 +7,7 @@
 #include "cases/case.hpp"
 #include "reports/provenance.hpp"
 #include "rigs/drop.hpp"
+#include "rigs/flow.hpp"
 #include "rigs/measure.hpp"
 #include "rigs/pile.hpp"
 #include "scaling/scale_study.hpp"
@@ -40,6 +41,9 @@ Json to_json(const rigs::Measured&);
 
 // settled and when, impacts, steps.
 Json to_json(const rigs::DropRecord&);
+
+// ending, the quantities by name, steps, the hash of the final state.
+Json to_json(const rigs::FlowRecord&);
 
 // version, git, compiler, command, case, seeds, threads.
 Json to_json(const Provenance&);

@@ -14,25 +14,16 @@ namespace {
 struct Quantity {
     const char *name, *unit;  // as the result of a run has it
 };
-constexpr Quantity quantities[] = {{"at_rest", ""},
-                                   {"formed", ""},
-                                   {"settled", ""},
-                                   {"settled_at", "s"},
-                                   {"packing_fraction", "1"},
-                                   {"coordination", "1"},
-                                   {"grains_fed", "1"},
-                                   {"grains_lost", "1"},
-                                   {"grains_in_funnel", "1"},
-                                   {"slept", "1"},
-                                   {"slept_while_fed", "1"},
-                                   {"impacts", "1"},
-                                   {"rows", "1"},
-                                   {"steps", "1"},
-                                   {"time_step", "s"},
-                                   {"base_radius", "m"},
-                                   {"grain_diameter", "m"},
-                                   {"hash", ""},
-                                   {"note", ""}};
+constexpr Quantity quantities[] = {{"at_rest", ""},       {"formed", ""},
+                                   {"settled", ""},       {"ending", ""},
+                                   {"settled_at", "s"},   {"packing_fraction", "1"},
+                                   {"coordination", "1"}, {"grains_fed", "1"},
+                                   {"grains_lost", "1"},  {"grains_in_funnel", "1"},
+                                   {"slept", "1"},        {"slept_while_fed", "1"},
+                                   {"impacts", "1"},      {"rows", "1"},
+                                   {"steps", "1"},        {"time_step", "s"},
+                                   {"base_radius", "m"},  {"grain_diameter", "m"},
+                                   {"hash", ""},          {"note", ""}};
 
 Cell cell_of(const Json& j) {
     if (j.is_number()) return j.get<double>();
@@ -55,6 +46,9 @@ void add_run(Sheet& sheet, const Json& run) {
             if (angle.contains("spread"))
                 add("angle_of_repose." + estimator + ".spread", angle.at("spread"), "rad");
         }
+    if (result.contains("quantities"))
+        for (const auto& [name, q] : result.at("quantities").items())
+            add(name, q.at("value"), q.at("unit").get<std::string>().c_str());
     for (const Quantity& q : quantities)
         if (result.contains(q.name)) add(q.name, result.at(q.name), q.unit);
     if (!result.contains("engine")) return;

@@ -6,6 +6,7 @@
 #include "cases/csv.hpp"
 #include "reports/verdict.hpp"
 #include "rigs/drop.hpp"
+#include "rigs/flow.hpp"
 #include "rigs/measure.hpp"
 #include "rigs/pile.hpp"
 
@@ -64,6 +65,10 @@ std::string failed_criteria(const rigs::Formed&);
 
 // One run of the rig `drop`, with the recording's points where there is one.
 RunSection drop_section(const std::string& name, const rigs::DropRecord&,
+                        const cases::Recording* recording);
+
+// One run of the rig `discharge`, `column` or `drum`: its quantities, its curves with the recording's points where there is one.
+RunSection flow_section(const std::string& name, const rigs::FlowRecord&,
                         const cases::Recording* recording);
 
 // One run of a rig that has a forward model: each channel but the first against the first, with the recording's points where

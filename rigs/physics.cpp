@@ -63,6 +63,36 @@ ContactParameters elastic_parameters(const contact::Material& a, const contact::
     return c;
 }
 
+const std::vector<std::string>& bulk_physics() {
+    static const std::vector<std::string> names{
+        "gravity",       "hertz_mindlin", "hertz_coulomb",     "adhesion",
+        "wall_adhesion", "wall_friction", "rolling_resistance"};
+    return names;
+}
+
+BulkContacts bulk_contacts(const cases::Case& c, const cases::Experiment& experiment) {
+    const cases::Model& model = c.model;
+    const contact::Material grain = grain_material(experiment), plate = plate_material(experiment);
+    BulkContacts s{};
+    const bool rolling = model.includes("rolling_resistance");
+    const bool rigid = model.includes("hertz_coulomb");
+    s.grains = elastic_parameters(grain, grain);
+    s.grains.work_of_adhesion =
+        model.includes("adhesion") ? model.value_or("work_of_adhesion", 0.0) : 0.0;
+    s.grains.sliding_friction = model.value_or("sliding_friction", 0.0);
+    s.grains.rolling_friction = rolling ? model.value_or("rolling_friction", 0.0) : 0.0;
+    s.grains.restitution = model.value_or("restitution", 1.0);
+    s.walls = elastic_parameters(grain, plate);
+    s.walls.work_of_adhesion =
+        model.includes("wall_adhesion") ? model.wall_value_or("work_of_adhesion", 0.0) : 0.0;
+    s.walls.sliding_friction = model.wall_value_or("sliding_friction", 0.0);
+    s.walls.rolling_friction = rolling ? model.wall_value_or("rolling_friction", 0.0) : 0.0;
+    s.walls.restitution = model.wall_value_or("restitution", 1.0);
+    s.grains.rigid_tangential = s.walls.rigid_tangential = rigid;
+    s.grains.friction_cap = s.walls.friction_cap = friction_cap(model.friction_cap);
+    return s;
+}
+
 void refuse_other_physics(const cases::Case& c, const std::string& rig,
                           const std::vector<std::string>& known) {
     std::string list;

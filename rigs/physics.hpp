@@ -42,6 +42,15 @@ contact::Material plate_material(const cases::Experiment&);  // the density take
 // E* and G* of the pair; all else 0.
 ContactParameters elastic_parameters(const contact::Material&, const contact::Material&);
 
+// What the bulk rigs of our core have.
+const std::vector<std::string>& bulk_physics();
+
+// Between grains of the grain's material, and between these and walls of the plate's.
+struct BulkContacts {
+    ContactParameters grains, walls;
+};
+BulkContacts bulk_contacts(const cases::Case&, const cases::Experiment&);
+
 // Throws scaling::InvalidInput where `model.physics` holds anything but `known`: it would be left out in silence.
 void refuse_other_physics(const cases::Case&, const std::string& rig,
                           const std::vector<std::string>& known);

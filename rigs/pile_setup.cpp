@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "contact/effective.hpp"
 #include "dem_min/random.hpp"
 #include "dem_min/timestep.hpp"
+#include "rigs/grain_sizes.hpp"
 #include "rigs/pile.hpp"
 #include "scaling/errors.hpp"
 
@@ -21,42 +21,6 @@ enum Stream : std::uint64_t { feeding_places, grain_sizes };
 
 double length_or(const cases::Value& conditions, const char* key, double otherwise) {
     return conditions.quantity_or<Length>(key, Length::from_value(otherwise)).value();
-}
-
-// The diameter at which a share `u` of all grains is smaller, of a distribution given by volume. Between two stated points the
-// volume is spread evenly over the diameter, hence the number as d^-3; what lies below the first and above the last is not
-// stated and left out.
-double diameter_by_number(const std::vector<std::pair<double, Length>>& cumulative, double u) {
-    std::vector<double> number(cumulative.size(), 0.0);
-    const auto inverse_square = [&](std::size_t k) {
-        return 1.0 / (cumulative[k].second.value() * cumulative[k].second.value());
-    };
-    for (std::size_t k = 1; k < cumulative.size(); ++k) {
-        const double width = cumulative[k].second.value() - cumulative[k - 1].second.value();
-        number[k] = number[k - 1] + (cumulative[k].first - cumulative[k - 1].first) / width *
-                                        (inverse_square(k - 1) - inverse_square(k));
-    }
-    const double wanted = u * number.back();
-    std::size_t k = 1;
-    while (k + 1 < number.size() && number[k] < wanted) ++k;
-    const double share = (wanted - number[k - 1]) / (number[k] - number[k - 1]);
-    return 1.0 /
-           std::sqrt(inverse_square(k - 1) - share * (inverse_square(k - 1) - inverse_square(k)));
-}
-
-struct Drawn {
-    double diameter;
-    int material;
-};
-
-Drawn draw(const cases::Grain& grain, double u) {
-    if (!grain.size_distribution.empty())
-        return {diameter_by_number(grain.size_distribution, u), cases::material_of_grain};
-    if (grain.sizes.empty()) return {grain.diameter.value.value(), cases::material_of_grain};
-    double below = grain.sizes.front().second;
-    std::size_t k = 0;
-    while (k + 1 < grain.sizes.size() && u >= below) below += grain.sizes[++k].second;
-    return {grain.sizes[k].first.value(), grain.size_material[k]};
 }
 
 }  // namespace
@@ -111,34 +75,17 @@ double default_feed_rate(const PileConditions& c, double d, double gravity) {
 
 PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment,
                      std::uint64_t seed) {
-    refuse_other_physics(
-        c, "pile",
-        {"gravity", "hertz_mindlin", "hertz_coulomb", "adhesion", "wall_adhesion", "wall_friction",
-         "rolling_resistance", "air_drag", "buoyancy", "tilt", "vibration"});
-    const cases::Model& model = c.model;
-    const contact::Material grain = grain_material(experiment), plate = plate_material(experiment);
+    std::vector<std::string> physics = bulk_physics();
+    physics.insert(physics.end(), {"air_drag", "buoyancy", "tilt", "vibration"});
+    refuse_other_physics(c, "pile", physics);
     PileSetup s{};
     s.conditions = pile_conditions(experiment);
     take_meshes(s, experiment.meshes);
     s.d = experiment.grain.diameter.value.value();
-    s.density = grain.density.value();
+    s.density = experiment.grain.density.value.value();
     s.gravity = experiment.surroundings.gravity.value();
-    const bool rolling = model.includes("rolling_resistance");
-    const bool rigid = model.includes("hertz_coulomb");
-    s.grains = elastic_parameters(grain, grain);
-    s.grains.work_of_adhesion =
-        model.includes("adhesion") ? model.value_or("work_of_adhesion", 0.0) : 0.0;
-    s.grains.sliding_friction = model.value_or("sliding_friction", 0.0);
-    s.grains.rolling_friction = rolling ? model.value_or("rolling_friction", 0.0) : 0.0;
-    s.grains.restitution = model.value_or("restitution", 1.0);
-    s.walls = elastic_parameters(grain, plate);
-    s.walls.work_of_adhesion =
-        model.includes("wall_adhesion") ? model.wall_value_or("work_of_adhesion", 0.0) : 0.0;
-    s.walls.sliding_friction = model.wall_value_or("sliding_friction", 0.0);
-    s.walls.rolling_friction = rolling ? model.wall_value_or("rolling_friction", 0.0) : 0.0;
-    s.walls.restitution = model.wall_value_or("restitution", 1.0);
-    s.grains.rigid_tangential = s.walls.rigid_tangential = rigid;
-    s.grains.friction_cap = s.walls.friction_cap = friction_cap(model.friction_cap);
+    const BulkContacts contacts = bulk_contacts(c, experiment);
+    s.grains = contacts.grains, s.walls = contacts.walls;
     choose_feed(s, experiment.grain, seed);
     choose_materials(s, c, experiment);
     choose_surroundings(s, c, experiment);
@@ -154,7 +101,7 @@ void choose_feed(PileSetup& s, const cases::Grain& sizes, std::uint64_t seed) {
     s.feed_time.resize(count), s.feed_x.resize(count), s.feed_y.resize(count),
         s.radius.resize(count), s.materials.of_grain.resize(count);
     for (std::size_t k = 0; k < count; ++k) {
-        const Drawn drawn = draw(sizes, diameters.uniform(k));
+        const DrawnGrain drawn = draw_grain(sizes, diameters.uniform(k));
         s.radius[k] = 0.5 * drawn.diameter;
         s.materials.of_grain[k] = drawn.material;
         const double room = std::max(0.0, 0.5 * s.conditions.feed_diameter - s.radius[k]);

@@ -42,6 +42,7 @@ struct Scaler {
     }
     void operator()(dem_min::Shell& wall) const {
         wall.r0 *= length, wall.z0 *= length, wall.r1 *= length, wall.z1 *= length;
+        wall.rise *= length / time, wall.spin /= time;
     }
     void operator()(dem_min::MeshPatch& wall) const { wall = dem_min::scaled(wall, length); }
 };
