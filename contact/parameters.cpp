@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The doors from units to numbers, one per law, and the rules that their parameters obey.
+#include "contact/ageing.hpp"
+#include "contact/capillary_bridge.hpp"
 #include "contact/coulomb.hpp"
 #include "contact/damping_tsuji1992.hpp"
 #include "contact/damping_viscoelastic.hpp"
@@ -12,6 +14,7 @@
 #include "contact/rolling_epsd.hpp"
 #include "contact/rolling_rvd.hpp"
 #include "contact/rolling_sds.hpp"
+#include "contact/scale_free.hpp"
 #include "contact/twisting_marshall2009.hpp"
 #include "scaling/errors.hpp"
 
@@ -86,6 +89,26 @@ Jkr Jkr::from(scaling::Pressure e_star, scaling::EnergyPerArea work_of_adhesion,
             .w = positive(work_of_adhesion.value(), "Jkr.work_of_adhesion", "J/m^2",
                           "w = 2 gamma for like solids; without adhesion the law is Hertz"),
             .tear_off = tear_off};
+}
+
+CapillaryBridge CapillaryBridge::from(scaling::EnergyPerArea surface_tension,
+                                      scaling::Volume volume, double contact_angle) {
+    const double gamma = positive(surface_tension.value(), "CapillaryBridge.surface_tension", "N/m",
+                                  "water has 0.072; a dry powder has no bridge");
+    const double v = positive(volume.value(), "CapillaryBridge.liquid_volume", "m^3",
+                              "of one bridge; a dry powder has none");
+    require(contact_angle >= 0.0 && contact_angle < 0.5 * std::numbers::pi,
+            "CapillaryBridge.contact_angle", contact_angle, "rad", "must be >= 0 and below pi/2",
+            "a liquid that does not wet pushes the grains apart");
+    return {.pull_per_radius = 4.0 * std::numbers::pi * gamma * std::cos(contact_angle),
+            .volume = v,
+            .rupture_gap = (1.0 + 0.5 * contact_angle) * cube_root(v)};
+}
+
+Ageing Ageing::from(double rate, scaling::Time onset) {
+    return {.rate = not_negative(rate, "Ageing.rate", "", "growth per decade, 0 for none"),
+            .onset = positive(onset.value(), "Ageing.onset", "s",
+                              "the age from which on decades count")};
 }
 
 DampingTsuji1992 DampingTsuji1992::from(double restitution) {

@@ -31,6 +31,7 @@ auto books_of(auto& c) {
                       &b.heat_normal,
                       &b.heat_tangential,
                       &b.heat_rolling,
+                      &b.heat_tear_off,
                       &b.stored_tangential,
                       &b.stored_rolling};
 }
@@ -54,26 +55,30 @@ template <class All>
 All all_arrays(auto& contacts) {
     const auto state = state_of(contacts);
     const auto books = books_of(contacts);
-    static_assert(state.size() + books.size() == std::tuple_size_v<All>);
+    static_assert(state.size() + 1 + books.size() == std::tuple_size_v<All>);
     All all;
-    std::copy(books.begin(), books.end(), std::copy(state.begin(), state.end(), all.begin()));
+    auto next = std::copy(state.begin(), state.end(), all.begin());
+    *next = &contacts.age;
+    std::copy(books.begin(), books.end(), next + 1);
     return all;
 }
 
 }  // namespace
 
-std::array<Array*, 30> Contacts::arrays() { return all_arrays<std::array<Array*, 30>>(*this); }
+std::array<Array*, 32> Contacts::arrays() { return all_arrays<std::array<Array*, 32>>(*this); }
 
-std::array<const Array*, 30> Contacts::arrays() const {
-    return all_arrays<std::array<const Array*, 30>>(*this);
+std::array<const Array*, 32> Contacts::arrays() const {
+    return all_arrays<std::array<const Array*, 32>>(*this);
 }
 
-void Contacts::add(int grain_i, int partner_j, const ContactConstants& constants, bool with_books) {
+void Contacts::add(int grain_i, int partner_j, const ContactConstants& constants, bool with_books,
+                   bool singly) {
     if (count() == 0) alike = true, common = constants;
-    alike = alike && constants == common;
+    alike = alike && constants == common && !singly;
     for (Array* array : state_of(*this)) array->push_back(0.0);
     if (with_books)
         for (Array* array : books_of(*this)) array->push_back(0.0);
+    if (singly) age.push_back(0.0);
     i.push_back(grain_i);
     j.push_back(partner_j);
     r_star.back() = constants.r_star;
@@ -105,6 +110,7 @@ void Contacts::remove(std::size_t slot) {
     };
     if (has_books(*this)) std::ranges::for_each(books_of(*this), take_last);
     std::ranges::for_each(state_of(*this), take_last);
+    if (!age.empty()) take_last(&age);
     i[slot] = i.back(), i.pop_back();
     j[slot] = j.back(), j.pop_back();
 }

@@ -38,7 +38,8 @@ struct ContactBooks {
     Array fx, fy, fz;                                  // N, on j
     Array tix, tiy, tiz, tjx, tjy, tjz;                // N m
     Array heat_normal, heat_tangential, heat_rolling;  // J, sums since birth
-    Array stored_tangential, stored_rolling;           // J; rolling includes twisting
+    Array heat_tear_off;  // J, likewise: of ageing, and of solids that parted under a bridge
+    Array stored_tangential, stored_rolling;  // J; rolling includes twisting
 };
 
 struct Contacts {
@@ -47,14 +48,17 @@ struct Contacts {
     // History: tangential spring (m), rolling spring (rad or m, as the law says), twist (rad), contact radius of the
     // last step (m).
     Array sx, sy, sz, rx, ry, rz, twist, previous_radius;
+    // s, since the solids touched; empty where contacts are not loaded singly (Laws::singly). Of these one whose
+    // previous_radius is 0 and whose overlap is negative is a bridge across a gap, and nothing else.
+    Array age;
     ContactBooks books;
 
-    // True while all contacts have had the same constants: they are `common` then, and loops need not read them.
+    // True while all contacts have had the same constants, which stay: they are `common` then, and loops need not read them.
     bool alike = true;
     ContactConstants common{};
 
     std::size_t count() const { return i.size(); }
-    void add(int grain_i, int partner_j, const ContactConstants&, bool with_books);
+    void add(int grain_i, int partner_j, const ContactConstants&, bool with_books, bool singly);
     // The contacts of others, histories and all, between grains that may have new numbers.
     struct Copy {
         int i, j;
@@ -65,8 +69,8 @@ struct Contacts {
     void remove(std::size_t slot);  // the last contact takes the slot
     void clear();
 
-    std::array<Array*, 30> arrays();  // books too
-    std::array<const Array*, 30> arrays() const;
+    std::array<Array*, 32> arrays();  // books too
+    std::array<const Array*, 32> arrays() const;
 };
 
 }  // namespace dem_min

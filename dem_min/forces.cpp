@@ -11,6 +11,11 @@
 namespace dem_min {
 namespace {
 
+template <class Law>
+Law aged(const Law& fresh, const contact::Ageing& ageing, const Contacts& c, std::size_t slot) {
+    return ageing.acts() ? ageing.aged(fresh, c.age[slot]) : fresh;
+}
+
 ContactConstants with_law(const Laws& laws, double r_star, ContactConstants c) {
     c.r_star = r_star;
     c.length_scale =
@@ -34,18 +39,26 @@ double kinetic_energy(const Particles& p, std::size_t k) {
 }
 
 double stored_energy(const Laws& laws, const Contacts& c, std::size_t slot) {
-    return std::visit(
-               [&](const auto& law) {
-                   return law.energy(c.r_star[slot], c.length_scale[slot], c.books.overlap[slot]);
-               },
-               laws.normal) +
-           c.books.stored_tangential[slot] + c.books.stored_rolling[slot];
+    const double r_star = c.r_star[slot], overlap = c.books.overlap[slot];
+    const double springs = c.books.stored_tangential[slot] + c.books.stored_rolling[slot];
+    const bool bridged = laws.bridge.acts();
+    if (bridged && overlap < 0.0 && c.previous_radius[slot] == 0.0)
+        return laws.bridge.work(r_star, -overlap);
+    const double elastic = std::visit(
+                               [&](const auto& fresh) {
+                                   return aged(fresh, laws.ageing, c, slot)
+                                       .energy(r_star, c.length_scale[slot], overlap);
+                               },
+                               laws.normal) +
+                           springs;
+    return bridged ? elastic - laws.bridge.closed(r_star) * overlap : elastic;
 }
 
 Dissipation heat_so_far(const Contacts& c, std::size_t slot) {
     return {.normal_dashpot = c.books.heat_normal[slot],
             .tangential = c.books.heat_tangential[slot],
-            .rolling = c.books.heat_rolling[slot]};
+            .rolling = c.books.heat_rolling[slot],
+            .tear_off = c.books.heat_tear_off[slot]};
 }
 
 Dissipation heat_of_end(const Laws& laws, const Contacts& c, std::size_t slot) {
@@ -54,12 +67,16 @@ Dissipation heat_of_end(const Laws& laws, const Contacts& c, std::size_t slot) {
     heat.rolling += c.books.stored_rolling[slot];
     if (c.books.overlap[slot] == handed_over) return heat;
     // The work that the pair did against adhesion between touch and tear-off, never given back.
-    heat.tear_off = std::visit(
-        [&](const auto& law) {
-            const double r_star = c.r_star[slot], length_scale = c.length_scale[slot];
-            return law.energy(r_star, length_scale, law.tear_off_overlap(r_star, length_scale));
-        },
-        laws.normal);
+    if (laws.bridge.acts())  // that of the solids has been booked when they parted
+        heat.tear_off += laws.bridge.work(c.r_star[slot], laws.bridge.rupture_gap);
+    else
+        heat.tear_off += std::visit(
+            [&](const auto& fresh) {
+                const auto law = aged(fresh, laws.ageing, c, slot);
+                const double r_star = c.r_star[slot], length_scale = c.length_scale[slot];
+                return law.energy(r_star, length_scale, law.tear_off_overlap(r_star, length_scale));
+            },
+            laws.normal);
     return heat;
 }
 
@@ -129,16 +146,18 @@ void insert(Simulation& s, const Grain& grain) {
 void begin_pair(Simulation& s, std::size_t i, std::size_t j) {
     const std::size_t group = group_of_pair(s, i, j);
     Tile& tile = s.tiles[static_cast<std::size_t>(tile_of(static_cast<int>(i)))];
-    tile.groups[group].add(static_cast<int>(i), static_cast<int>(j),
-                           pair_constants(s, s.laws(group), i, j), s.settings.ledger);
+    const Laws& laws = s.laws(group);
+    tile.groups[group].add(static_cast<int>(i), static_cast<int>(j), pair_constants(s, laws, i, j),
+                           s.settings.ledger, laws.singly());
     ++tile.outbox_changes;
 }
 
 void begin_wall_contact(Simulation& s, std::size_t i, std::size_t wall) {
     const std::size_t group = group_of_wall(s, i, wall);
     Tile& tile = s.tiles[static_cast<std::size_t>(tile_of(static_cast<int>(i)))];
-    tile.groups[group].add(static_cast<int>(i), static_cast<int>(wall),
-                           wall_constants(s, s.laws(group), i), s.settings.ledger);
+    const Laws& laws = s.laws(group);
+    tile.groups[group].add(static_cast<int>(i), static_cast<int>(wall), wall_constants(s, laws, i),
+                           s.settings.ledger, laws.singly());
 }
 
 void remove_lost(Simulation& s) {

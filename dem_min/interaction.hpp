@@ -3,6 +3,8 @@
 // (blocks of contacts, the all-pairs reference, walls) calls `push` and `turn`, so that they give the same bits.
 #pragma once
 
+#include "contact/ageing.hpp"
+#include "contact/capillary_bridge.hpp"
 #include "contact/concepts.hpp"
 #include "contact/coulomb.hpp"
 #include "contact/damping.hpp"
@@ -49,6 +51,11 @@ struct Laws {
     contact::Damping damping;
     contact::FrictionCap friction_cap = contact::FrictionCap::elastic_plus_two_pull_off;
     contact::TwistingMarshall2009 twisting{0.0, 0.0};  // G* = 0: none
+    contact::CapillaryBridge bridge = {};              // as constructed: none
+    contact::Ageing ageing = {};                       // as constructed: none
+
+    // A contact may then be one of a bridge alone, or has its own work of adhesion: it is loaded singly.
+    bool singly() const { return bridge.acts() || ageing.acts(); }
 };
 
 template <class Function>

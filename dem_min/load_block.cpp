@@ -16,7 +16,8 @@ struct Slots {
 struct BookSlots {
     double *overlap, *nx, *ny, *nz, *dashpot;
     double *fx, *fy, *fz, *tix, *tiy, *tiz, *tjx, *tjy, *tjz;
-    double *heat_normal, *heat_tangential, *heat_rolling, *stored_tangential, *stored_rolling;
+    double *heat_normal, *heat_tangential, *heat_rolling, *heat_tear_off;
+    double *stored_tangential, *stored_rolling;
 };
 
 Slots slots(Contacts& c, std::size_t k) {
@@ -51,6 +52,7 @@ BookSlots slots(ContactBooks& b, std::size_t k) {
             &b.heat_normal[k],
             &b.heat_tangential[k],
             &b.heat_rolling[k],
+            &b.heat_tear_off[k],
             &b.stored_tangential[k],
             &b.stored_rolling[k]};
 }
@@ -243,16 +245,89 @@ SIMILITUDE_VECTOR_CLONES void load_fast(const Interaction law, const Slots c, Bl
     for (int k = 0; k < size; ++k) keep_one(law, c, b, k);
 }
 
-// With the ledger: the same loads, and the books. Not made for speed.
+// The normal law of a contact that has become older by a step, unless it is new. What adhesion gains of itself is heat.
+template <class Normal>
+Normal grown_older(const Normal& fresh, const contact::Ageing& ageing, Contacts& c,
+                   std::size_t slot, const Settings& settings) {
+    double &age = c.age[slot], &length_scale = c.length_scale[slot];
+    const double r_star = c.r_star[slot], age_before = age;
+    if (c.previous_radius[slot] > 0.0) age += settings.time_step;
+    const Normal law = ageing.aged(fresh, age);
+    length_scale = law.length_scale(r_star);
+    if (settings.ledger) {
+        const double overlap = c.books.overlap[slot];
+        const Normal younger = ageing.aged(fresh, age_before);
+        c.books.heat_tear_off[slot] +=
+            younger.energy(r_star, younger.length_scale(r_star), overlap) -
+            law.energy(r_star, length_scale, overlap);
+    }
+    return law;
+}
+
 template <class Interaction>
-void load_and_book(const Interaction law, const Slots c, const BookSlots books, Block& b, int size,
-                   double dt) {
+bool solids_touch(const Interaction& law, const Slots& c, const Block& b, int k) {
+    const double overlap = (b.r_i[k] + b.r_j[k]) - b.distance[k];
+    const double tear_off = law.normal.tear_off_overlap(c.r_star[k], c.length_scale[k]);
+    return overlap >= 0.0 || (c.previous_radius[k] > 0.0 && overlap >= tear_off);
+}
+
+// A bridge across a gap, which is all that there is of contact k.
+void bridge_one(const contact::CapillaryBridge& bridge, const Slots& c, Block& b, int k) {
+    const double gap = b.distance[k] - (b.r_i[k] + b.r_j[k]);
+    const double pull = bridge.across(c.r_star[k], gap);
+    b.fx[k] = -pull * b.nx[k], b.fy[k] = -pull * b.ny[k], b.fz[k] = -pull * b.nz[k];
+    for (double* torque : {b.tix, b.tiy, b.tiz, b.tjx, b.tjy, b.tjz}) torque[k] = 0.0;
+    for (double* history : {c.sx, c.sy, c.sz, c.rx, c.ry, c.rz, c.twist, c.previous_radius})
+        history[k] = 0.0;
+    b.hold[k] = bridge.rupture_gap - gap;
+}
+
+// Where the solids part, the work of their tear-off is heat; where a mesh hands a grain over, a bridge across a gap is lost.
+template <class Normal>
+double heat_of_parting(const Normal& law, const contact::CapillaryBridge& bridge, const Slots& c,
+                       const Block& b, int k, bool touched, double overlap_before) {
+    const bool handed = b.distance[k] == -handed_over;
+    if (handed == touched) return 0.0;
+    if (handed) return bridge.work(c.r_star[k], -overlap_before);
+    const double r_star = c.r_star[k], tear_off = law.tear_off_overlap(r_star, c.length_scale[k]);
+    return law.energy(r_star, c.length_scale[k], tear_off) - bridge.closed(r_star) * tear_off -
+           bridge.work(r_star, -tear_off < bridge.rupture_gap ? -tear_off : bridge.rupture_gap);
+}
+
+// Contact by contact, with a bridge or ageing; and with the ledger: the same loads, and the books. Not made for speed.
+template <class Interaction>
+void load_singly(Interaction law, const Laws& laws, Contacts& contacts, std::size_t first, Block& b,
+                 int size, const Settings& settings) {
+    const Slots c = slots(contacts, first);
+    const auto fresh = law.normal;
+    const double dt = settings.time_step;
     for (int k = 0; k < size; ++k) {
-        const double overlap_before = books.overlap[k];
-        press_one<false>(law, c, b, k, {});
-        const Push pushed = push_one<false, contact::Slider>(law, c, b, k, {}, dt);
-        const Turn turned = turn_one<false, contact::Slider>(law, c, b, k, {}, dt);
-        keep_one(law, c, b, k);
+        const std::size_t slot = first + static_cast<std::size_t>(k);
+        if (laws.ageing.acts())
+            law.normal = grown_older(fresh, laws.ageing, contacts, slot, settings);
+        const double overlap_before = settings.ledger ? contacts.books.overlap[slot] : 0.0;
+        const bool touched = c.previous_radius[k] > 0.0;
+        const bool touch = !laws.bridge.acts() || solids_touch(law, c, b, k);
+        Push pushed{};
+        Turn turned{};
+        if (touch) {
+            press_one<false>(law, c, b, k, {});
+            pushed = push_one<false, contact::Slider>(law, c, b, k, {}, dt);
+            turned = turn_one<false, contact::Slider>(law, c, b, k, {}, dt);
+            keep_one(law, c, b, k);
+            if (laws.bridge.acts()) {
+                const double pull = laws.bridge.closed(c.r_star[k]);
+                b.fx[k] -= pull * b.nx[k], b.fy[k] -= pull * b.ny[k], b.fz[k] -= pull * b.nz[k];
+            }
+        } else {
+            bridge_one(laws.bridge, c, b, k);
+            contacts.age[slot] = 0.0;
+        }
+        if (!settings.ledger) continue;
+        const BookSlots books = slots(contacts.books, first);
+        if (!touch)
+            books.heat_tear_off[k] +=
+                heat_of_parting(law.normal, laws.bridge, c, b, k, touched, overlap_before);
         const Motion m = motion(b, k, b.r_i[k], b.r_j[k]);
         books.overlap[k] = m.overlap;
         add_heat(books, b, k, overlap_before, m, pushed, turned, dt);
@@ -314,8 +389,8 @@ void load_block(const Laws& laws, Contacts& contacts, std::size_t first, int siz
     const Slots c = slots(contacts, first);
     const double dt = settings.time_step;
     with_laws(laws, [&](const auto& law) {
-        if (settings.ledger)
-            load_and_book(law, c, slots(contacts.books, first), block, size, dt);
+        if (settings.ledger || laws.singly())
+            load_singly(law, laws, contacts, first, block, size, settings);
         else if (contacts.alike)
             load_fast<true>(law, c, block, size, contacts.common, dt);
         else

@@ -213,6 +213,7 @@ std::uint64_t state_hash(const Simulation& s, double unit_of_length, double unit
         for (const auto* spring : {&c.rx, &c.ry, &c.rz})
             hash.add((*spring)[slot] / unit_of_rolling);
         hash.add(c.twist[slot]);
+        if (!c.age.empty()) hash.add(c.age[slot] / unit_of_time);
     });
     return hash.value();
 }

@@ -12,7 +12,7 @@ export root work
 
 declare -A tests_of=(
     [hertz.hpp]=hertz [jkr.hpp]=jkr [friction_cap.hpp]=friction_cap [damping_tsuji1992.hpp]=damping_tsuji1992
-    [damping.hpp]=damping_viscoelastic
+    [damping.hpp]=damping_viscoelastic [capillary_bridge.hpp]=capillary_bridge [ageing.hpp]=ageing
     [mindlin.hpp]="mindlin damping_viscoelastic" [yield.hpp]=mindlin [vec3.hpp]=vec3 [coulomb.hpp]=coulomb [rolling_epsd.hpp]=rolling_epsd
     [rolling_sds.hpp]=rolling_sds [rolling_edem_standard.hpp]=rolling_constant_torque
     [twisting_marshall2009.hpp]="twisting_marshall2009 damping_viscoelastic"

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bad parameters throw, name themselves, and say the rule; good ones at the border pass.
+#include "contact/ageing.hpp"
+#include "contact/capillary_bridge.hpp"
 #include "contact/coulomb.hpp"
 #include "contact/damping_tsuji1992.hpp"
 #include "contact/damping_viscoelastic.hpp"
@@ -50,6 +52,7 @@ struct Parameter {
 std::vector<Parameter> parameters() {
     const std::vector<double> not_positive{0.0, -1.0, nan, infinite}, negative{-0.1, nan, infinite};
     const std::vector<double> positive{1e-3, 1e9}, not_negative{0.0, 0.5};
+    const auto m3 = si::cubic_meters;
     const contact::Material good = material(1e9, 0.3, 2500.0);
     return {
         {"Hertz.e_star", [](double x) { contact::Hertz::from(x * pa); }, not_positive, positive},
@@ -88,6 +91,20 @@ std::vector<Parameter> parameters() {
         {"DampingViscoelastic.tangential_ratio",
          [](double x) { contact::DampingViscoelastic::from(1e9 / (si::meters * si::seconds), x); },
          negative, not_negative},
+        {"CapillaryBridge.surface_tension",
+         [=](double x) { contact::CapillaryBridge::from(x * n_per_m, 1e-15 * m3, 0.0); },
+         not_positive, positive},
+        {"CapillaryBridge.liquid_volume",
+         [=](double x) { contact::CapillaryBridge::from(0.07 * n_per_m, x * m3, 0.0); },
+         not_positive, positive},
+        {"CapillaryBridge.contact_angle",
+         [=](double x) { contact::CapillaryBridge::from(0.07 * n_per_m, 1e-15 * m3, x); },
+         {-0.1, 1.571, nan},
+         {0.0, 1.57}},
+        {"Ageing.rate", [](double x) { contact::Ageing::from(x, 1.0 * si::seconds); }, negative,
+         not_negative},
+        {"Ageing.onset", [](double x) { contact::Ageing::from(0.1, x * si::seconds); },
+         not_positive, positive},
         {"Mindlin.g_star", [](double x) { contact::Mindlin::from(x * pa, 0.3); }, not_positive,
          positive},
         {"Mindlin.sliding_friction", [](double x) { contact::Mindlin::from(1e9 * pa, x); },

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/contact/rows.hpp"
 
+#include "contact/ageing.hpp"
+#include "contact/capillary_bridge.hpp"
 #include "contact/coulomb.hpp"
 #include "contact/damping.hpp"
 #include "contact/drag_schiller1935.hpp"
@@ -32,6 +34,7 @@ using contact::Vec3;
 using Quantities = std::vector<Quantity>;
 
 constexpr Dimension one{0, 0, 0}, metre{0, 1, 0}, second{0, 0, 1}, kilogram{1, 0, 0};
+constexpr Dimension cubic_metre{0, 3, 0};
 constexpr Dimension newton{1, 1, -2}, joule{1, 2, -2}, pascal{1, -1, -2};
 constexpr Dimension metre_per_second{0, 1, -1}, per_second{0, 0, -1};
 constexpr Dimension newton_per_metre{1, 0, -2}, kilogram_per_second{1, 0, -1};
@@ -82,6 +85,40 @@ Row jkr() {
                 out.push_back({"fold", metre, fold.tear_off_overlap(r_star, scale)});
                 out.push_back({"max_tension", metre, dead_load.tear_off_overlap(r_star, scale)});
                 return out;
+            }};
+}
+
+Row capillary_bridge() {
+    const auto state = [](double gap) {
+        return State{{{"surface_tension", newton_per_metre, 0.072},
+                      {"volume", cubic_metre, 3e-15},
+                      {"contact_angle", one, 0.3},
+                      {"r_star", metre, 6.3e-5},
+                      {"gap", metre, gap}}};
+    };
+    return {.law = "CapillaryBridge",
+            .states = {state(2e-6), state(2e-5)},  // held; ruptured, at 1.7e-5
+            .evaluate = [](const State& x) {
+                const auto law = contact::CapillaryBridge::from(
+                    scaling::in_si<scaling::EnergyPerArea>(x("surface_tension")),
+                    scaling::in_si<scaling::Volume>(x("volume")), x("contact_angle"));
+                return Quantities{{"closed", newton, law.closed(x("r_star"))},
+                                  {"across", newton, law.across(x("r_star"), x("gap"))},
+                                  {"work", joule, law.work(x("r_star"), x("gap"))},
+                                  {"rupture_gap", metre, law.rupture_gap}};
+            }};
+}
+
+Row ageing() {
+    return {.law = "Ageing",
+            .states = {{{{"rate", one, 0.3},
+                         {"onset", second, 0.2},
+                         {"age", second, 7.0},
+                         {"w", newton_per_metre, 0.07}}}},
+            .evaluate = [](const State& x) {
+                const contact::Ageing law{x("rate"), x("onset")};
+                const contact::Jkr fresh{.e_star = 1.0, .w = x("w")};
+                return Quantities{{"w", newton_per_metre, law.aged(fresh, x("age")).w}};
             }};
 }
 
@@ -375,6 +412,19 @@ Row drag() {
 }  // namespace
 
 std::vector<Row> all_laws() {
-    return {hertz(), jkr(), damping(),       viscoelastic(), friction_cap(), mindlin(), coulomb(),
-            epsd(),  sds(), edem_standard(), rvd(),          twisting(),     drag()};
+    return {hertz(),
+            jkr(),
+            damping(),
+            viscoelastic(),
+            friction_cap(),
+            mindlin(),
+            coulomb(),
+            epsd(),
+            sds(),
+            edem_standard(),
+            rvd(),
+            twisting(),
+            capillary_bridge(),
+            ageing(),
+            drag()};
 }

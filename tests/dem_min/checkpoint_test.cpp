@@ -31,8 +31,13 @@ void run(Simulation& s, int steps) {
 
 TEST_CASE("a run that goes on from a checkpoint gives the bits of one never interrupted",
           "[dem_min][checkpoint]") {
-    const bool walled = GENERATE(false, true);
-    const samples::System system = samples::rain(samples::sticky(), 60, walled, true);
+    const bool walled = GENERATE(false, true), wet_and_ageing = GENERATE(false, true);
+    samples::System system = samples::rain(samples::sticky(), 60, walled, true);
+    if (wet_and_ageing) {
+        system.between_grains.bridge = system.at_walls.bridge =
+            samples::bridge(samples::dry(), 8.0);
+        system.between_grains.ageing = {.rate = 2.0, .onset = 20.0 * system.time_step};
+    }
     Simulation whole = samples::simulation(system, 1, true);
     run(whole, 1700);
     REQUIRE(pair_count(whole) + wall_contact_count(whole) > 10);  // history to be kept

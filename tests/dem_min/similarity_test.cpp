@@ -34,12 +34,15 @@ void require_same_bits(const Simulation& original, const Simulation& scaled, dou
     REQUIRE(pair_count(original) == pair_count(scaled));
 }
 
-// Sticky and dry, glued and walled, and each rolling law.
+// Sticky and dry, glued and walled, each rolling law, wet and ageing.
 System sample(int kind) {
-    System s = rain(kind == 2 ? dry() : sticky(), 60, kind == 2 || kind == 3, kind != 0);
+    const bool dry_ones = kind == 2 || kind == 5;
+    System s = rain(dry_ones ? dry() : sticky(), 60, kind == 2 || kind == 3, kind != 0);
     if (kind == 3) s.between_grains.rolling = contact::RollingSds{5e-3, 1e-9, 0.2};
     if (kind == 4) s.between_grains.rolling = contact::RollingEdemStandard{0.2};
     if (kind == 4) s.between_grains.tangential = contact::Coulomb{0.4};
+    if (kind >= 5) s.between_grains.bridge = samples::bridge(dry(), 8.0);
+    if (kind == 6) s.between_grains.ageing = {.rate = 2.0, .onset = 20.0 * s.time_step};
     return s;
 }
 
@@ -48,7 +51,7 @@ System sample(int kind) {
 TEST_CASE("exact scaling (times h, g/h, w h, E and density kept) keeps every bit",
           "[dem_min][similarity]") {
     const double h = GENERATE(2.0, 8.0, 256.0);
-    const System system = sample(GENERATE(0, 1, 2, 3, 4));
+    const System system = sample(GENERATE(0, 1, 2, 3, 4, 5, 6));
     Simulation original = samples::simulation(system),
                scaled = samples::simulation(samples::scaled(system, h, h));
     run(original, 2500), run(scaled, 2500);
@@ -59,7 +62,7 @@ TEST_CASE("exact scaling (times h, g/h, w h, E and density kept) keeps every bit
 TEST_CASE("scaling at kept gravity (times sqrt h, E h, w h^2) keeps every bit for h = 4^k",
           "[dem_min][similarity]") {
     const double h = GENERATE(4.0, 256.0);
-    const System system = sample(GENERATE(0, 1, 2, 3, 4));
+    const System system = sample(GENERATE(0, 1, 2, 3, 4, 5, 6));
     const System larger = samples::scaled(system, h, std::sqrt(h));
     REQUIRE(larger.gravity == system.gravity);
     Simulation original = samples::simulation(system), scaled = samples::simulation(larger);

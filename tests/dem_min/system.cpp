@@ -21,6 +21,10 @@ Vec3 drawn(const dem_min::RandomStream& stream, std::uint64_t index, double most
     return {number(0), number(1), number(2)};
 }
 
+double weight(const Powder& p) {  // N
+    return p.density * std::numbers::pi / 6.0 * std::pow(p.diameter, 3) * p.gravity;
+}
+
 struct Scaler {
     double length, stress, time;
 
@@ -52,6 +56,10 @@ void scale(dem_min::Laws& laws, const Scaler& scaler) {
     std::visit(scaler, laws.tangential);
     std::visit(scaler, laws.rolling);
     laws.twisting.g_star *= scaler.stress;
+    laws.bridge.pull_per_radius *= scaler.stress * scaler.length;
+    laws.bridge.volume *= scaler.length * scaler.length * scaler.length;
+    laws.bridge.rupture_gap *= scaler.length;
+    laws.ageing.onset *= scaler.time;
 }
 
 }  // namespace
@@ -59,8 +67,7 @@ void scale(dem_min::Laws& laws, const Scaler& scaler) {
 Powder sticky() {
     // 3/2 pi w d/4 = 8 weights of a grain
     const Powder p{.work_of_adhesion = 0.0};
-    const double weight = p.density * std::numbers::pi / 6.0 * std::pow(p.diameter, 3) * p.gravity;
-    return {.work_of_adhesion = 8.0 * weight / (1.5 * std::numbers::pi * p.diameter / 4.0)};
+    return {.work_of_adhesion = 8.0 * weight(p) / (1.5 * std::numbers::pi * p.diameter / 4.0)};
 }
 
 Powder dry() { return {.work_of_adhesion = 0.0}; }
@@ -74,6 +81,14 @@ dem_min::Laws laws(const Powder& p) {
     }
     if (p.rolling_friction > 0.0) result.rolling = contact::RollingEpsd{p.rolling_friction, 0.3};
     return result;
+}
+
+contact::CapillaryBridge bridge(const Powder& p, double weights) {
+    const double volume = 1e-3 * std::pow(0.5 * p.diameter, 3);
+    return contact::CapillaryBridge::from(
+        scaling::in_si<scaling::EnergyPerArea>(weights * weight(p) /
+                                               (std::numbers::pi * p.diameter)),
+        scaling::in_si<scaling::Volume>(volume), 0.0);
 }
 
 double recommended_step(const Powder& p, double fastest) {

@@ -28,6 +28,9 @@ Powder dry();     // Hertz
 // Mindlin, EPSD if there is rolling friction, and with adhesion twisting resistance.
 dem_min::Laws laws(const Powder&);
 
+// A bridge that pulls with `weights` of a grain of the powder when closed, of a thousandth of R^3 of liquid: it ruptures at R/10.
+contact::CapillaryBridge bridge(const Powder&, double weights);
+
 struct System {
     dem_min::Laws between_grains, at_walls;
     std::vector<dem_min::Wall> walls;

@@ -35,3 +35,23 @@ TEST_CASE("time step: without adhesion there is no gap to jump", "[dem_min][time
                                                              .fastest_impact = 1.0});
     REQUIRE(limits.adhesive_gap == std::numeric_limits<double>::infinity());
 }
+
+// By hand, the same bead with water: gamma = 0.072 N/m, V = 1e-13 m^3, theta = 0
+//   F_c = 4 pi gamma R* = 4.523893e-4 N, A = V/(pi R*) = 6.366198e-11 m^2, h_r = V^(1/3) = 4.641589e-5 m
+//   W = F_c (h_r - sqrt(h_r^2 + A) + sqrt(A)) = 3.301565e-9 J, v = sqrt(2 W/m*) = 3.551204e-2 m/s
+//   h_r/(5 v) = 2.614093e-4 s
+TEST_CASE("time step: the limit of a bridge's rupture gap", "[dem_min][timestep][bridge][exact]") {
+    const auto limits = [](contact::CapillaryBridge bridge) {
+        return dem_min::step_limits({.radius = 1e-3,
+                                     .density = 2500.0,
+                                     .youngs_modulus = 60e9,
+                                     .poisson_ratio = 0.25,
+                                     .work_of_adhesion = 0.0,
+                                     .fastest_impact = 1.0,
+                                     .bridge = bridge});
+    };
+    const double pull_per_radius = 0.904778684;  // N/m, 4 pi gamma
+    REQUIRE(limits({pull_per_radius, 1e-13, 4.641589e-5}).bridge_gap ==
+            Approx(2.614093e-4).epsilon(1e-6));
+    REQUIRE(limits({}).bridge_gap == std::numeric_limits<double>::infinity());
+}
