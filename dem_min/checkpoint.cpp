@@ -12,7 +12,7 @@ namespace dem_min {
 namespace {
 
 constexpr std::uint64_t format =
-    0x73696d696c2f3034;  // "simil/04": raise the last digit when the layout changes
+    0x73696d696c2f3035;  // "simil/05": raise the last digit when the layout changes
 
 struct Writer {
     std::ofstream& out;
@@ -62,6 +62,9 @@ void visit(Simulation& s, Visit&& each) {
     for (Array* array : s.grains.arrays()) each(*array);
     each(s.grains.id);
     each(s.grains.material);
+    each(s.grains.body);
+    each(s.bodies);
+    each(s.members);
     fit_tiles(s);  // none before the first step
     for (Tile& tile : s.tiles) {
         each(tile.ended);

@@ -28,7 +28,7 @@ void begin_all(Simulation& s) {
     const Pairs pairs = in_contact(s, false), walls = in_contact(s, true);
     for (std::size_t i = 0; i < p.count(); ++i) {
         for (std::size_t j = i + 1; j < p.count(); ++j) {
-            if ((p.fixed(i) && p.fixed(j)) ||
+            if ((p.fixed(i) && p.fixed(j)) || p.of_one_body(i, j) ||
                 pairs.count({static_cast<int>(i), static_cast<int>(j)}) != 0)
                 continue;
             const Vec3 way = apart(s, i, j);
@@ -56,7 +56,9 @@ void add_load(Simulation& s, int grain, Vec3 force, Vec3 torque) {
 void reference_step(Simulation& s) {
     if (time_to_reorder(s)) reorder(s);
     fit_tiles(s);
+    begin_bodies(s);
     for (std::size_t t = 0; t < s.tiles.size(); ++t) begin_step(s, t);
+    place_members(s);
     move_walls(s, moving_walls(s));
     check_finite(s);
     remove_lost(s);
@@ -104,6 +106,7 @@ void reference_step(Simulation& s) {
         end_step(s, t);
         s.tiles[t].loads.clear();
     }
+    end_bodies(s);
     s.list_is_stale = true;  // `step` may follow
     ++s.steps;
 }
