@@ -54,7 +54,7 @@ rigs::PileSetup counted_setup(const cases::Case& c, const Experiment& e, std::ui
 }
 
 double seconds_of(const rigs::PileSetup& setup, int threads) {
-    return static_cast<double>(setup.feed_time.size()) *
+    return static_cast<double>(setup.feed_time.size() * rigs::spheres_per_grain(setup)) *
            static_cast<double>(rigs::expected_steps(setup)) / measured_speed(threads);
 }
 
