@@ -85,7 +85,7 @@ reports::Frame frame_of(const dem_min::Simulation& s, const Box& box) {
         f.velocity.push_back(g.velocity(k));
         f.spin.push_back(g.spin(k));
         f.radius.push_back(r);
-        f.mass.push_back(g.mass[k]);
+        f.mass.push_back(dem_min::mass_of(s, k));
         f.fixed.push_back(g.fixed(k) ? 1 : 0);
     }
     return f;

@@ -141,6 +141,13 @@ std::vector<reports::ChannelTable> write_pile(const std::filesystem::path& folde
     }
     radius.values = record.heap.radius;
     tables.push_back({id + "-grains", {x, y, height, radius}});
+    if (record.heap.spheres > 1) {  // which grain a sphere belongs to
+        cases::Column grain{"grain", "1"};
+        const auto spheres = static_cast<std::size_t>(record.heap.spheres);
+        for (std::size_t k = 0; k < radius.values.size(); ++k)
+            grain.values.push_back(static_cast<double>(k / spheres));
+        tables.back().columns.push_back(grain);
+    }
     for (const reports::ChannelTable& table : tables)
         cases::write_csv((folder / (table.name + ".csv")).string(), table.columns);
     return tables;

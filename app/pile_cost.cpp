@@ -58,7 +58,8 @@ static double seconds_of(std::size_t grains, std::int64_t steps, int threads) {
 }
 
 double seconds_of(const rigs::PileSetup& setup, int threads) {
-    return seconds_of(setup.feed_time.size(), rigs::expected_steps(setup), threads);
+    return seconds_of(setup.feed_time.size() * rigs::spheres_per_grain(setup),
+                      rigs::expected_steps(setup), threads);
 }
 
 void refuse_unaffordable(const Experiment& e, std::size_t grains, std::int64_t steps, int threads) {

@@ -9,7 +9,8 @@ namespace app {
 
 double expected_work(const rigs::PileSetup& setup, std::size_t glued, double steps) {
     const double feeding = setup.feed_time.back() / setup.time_step;  // steps; grains come evenly
-    const double fed = static_cast<double>(setup.feed_time.size());
+    const double fed =
+        static_cast<double>(setup.feed_time.size() * rigs::spheres_per_grain(setup));  // spheres
     const double by_fed =
         steps < feeding ? fed * steps * steps / (2.0 * feeding) : fed * (steps - 0.5 * feeding);
     return static_cast<double>(glued) * steps + by_fed;

@@ -26,6 +26,10 @@ void check(double x, const Value& value, Domain domain) {
         case Domain::not_negative:
             require(x >= 0.0, value, "must be >= 0", "check the sign");
             return;
+        case Domain::at_least_one:
+            require(x >= 1.0, value, "must be >= 1",
+                    "write the larger over the smaller, not the inverse");
+            return;
         case Domain::unit_interval:
             require(x >= 0.0 && x <= 1.0, value, "must be between 0 and 1",
                     "write a fraction such as 0.3 or \"30 %\"");

@@ -9,7 +9,15 @@
 
 namespace cases {
 
-enum class Domain { any, positive, not_negative, unit_interval, poisson_ratio, steepness };
+enum class Domain {
+    any,
+    positive,
+    not_negative,
+    at_least_one,
+    unit_interval,
+    poisson_ratio,
+    steepness
+};
 
 // The raw SI value of `value`, checked. `unit` is that of the SI value: "m", "rad", "1".
 double checked(const Value& value, const std::string& unit, Domain domain);

@@ -55,7 +55,7 @@ const std::vector<ParameterRule>& parameter_rules() {
         {"dynamic_friction", "1", Domain::not_negative},
         {"stiffness_ratio", "1", Domain::positive},
         {"size_spread", "1", Domain::not_negative},
-        {"aspect_ratio", "1", Domain::positive},
+        {"aspect_ratio", "1", Domain::at_least_one},
         {"tilt_angle", "rad", Domain::steepness},
         {"tilt_azimuth", "rad", Domain::any},
         {"amplitude", "m", Domain::not_negative},

@@ -65,6 +65,9 @@ void visit(Simulation& s, Visit&& each) {
     for (Array* array : s.grains.arrays()) each(*array);
     each(s.grains.id);
     each(s.grains.material);
+    each(s.grains.body);
+    each(s.bodies);
+    each(s.members);
     fit_tiles(s);  // none before the first step
     for (Tile& tile : s.tiles) {
         each(tile.ended);

@@ -23,6 +23,14 @@ ContactConstants with_law(const Laws& laws, double r_star, ContactConstants c) {
     return c;
 }
 
+// kg: what a contact has behind it. Fixed grains have no contacts with walls.
+double heaviness(const Simulation& s, std::size_t k) {
+    const int body = s.grains.body[k];
+    return body >= 0           ? s.bodies[static_cast<std::size_t>(body)].mass
+           : s.grains.fixed(k) ? contact::wall_mass
+                               : s.grains.mass[k];
+}
+
 }  // namespace
 
 double potential_of_gravity(const Simulation& s, std::size_t k) {
@@ -33,7 +41,7 @@ double potential_of_gravity(const Simulation& s, std::size_t k) {
 }
 
 double kinetic_energy(const Particles& p, std::size_t k) {
-    if (p.fixed(k)) return 0.0;
+    if (p.inverse_mass[k] == 0.0) return 0.0;
     const Vec3 v = p.velocity(k), w = p.spin(k);
     return 0.5 * p.mass[k] * contact::dot(v, v) + 0.5 / p.inverse_inertia[k] * contact::dot(w, w);
 }
@@ -105,14 +113,11 @@ std::size_t group_of_wall(const Simulation& s, std::size_t i, std::size_t wall) 
 ContactConstants pair_constants(const Simulation& s, const Laws& laws, std::size_t i,
                                 std::size_t j) {
     const Particles& p = s.grains;
-    const auto heaviness = [&](std::size_t k) {
-        return p.fixed(k) ? contact::wall_mass : p.mass[k];
-    };
     return with_law(laws, contact::r_star(p.radius[i], p.radius[j]),
                     {.r_i = p.radius[i],
                      .r_j = p.radius[j],
                      .r_star = 0.0,
-                     .m_star = contact::m_star(heaviness(i), heaviness(j)),
+                     .m_star = contact::m_star(heaviness(s, i), heaviness(s, j)),
                      .length_scale = 0.0,
                      .inverse_inertia_i = p.inverse_inertia[i],
                      .inverse_inertia_j = p.inverse_inertia[j]});
@@ -124,7 +129,7 @@ ContactConstants wall_constants(const Simulation& s, const Laws& laws, std::size
                     {.r_i = p.radius[i],
                      .r_j = 0.0,
                      .r_star = 0.0,
-                     .m_star = p.mass[i],
+                     .m_star = heaviness(s, i),
                      .length_scale = 0.0,
                      .inverse_inertia_i = p.inverse_inertia[i],
                      .inverse_inertia_j = 0.0});
@@ -164,16 +169,25 @@ void remove_lost(Simulation& s) {
     Particles& p = s.grains;
     std::vector<int> new_index(p.count());
     int kept = 0;
+    const std::vector<bool> bodies = lost_bodies(s);
     for (std::size_t k = 0; k < p.count(); ++k) {
-        const bool lost = !p.fixed(k) && p.z[k] < s.settings.lost_below;
+        const int body = p.body[k];
+        const bool lost = body >= 0 ? bodies[static_cast<std::size_t>(body)]
+                                    : !p.fixed(k) && p.z[k] < s.settings.lost_below;
         new_index[k] = lost ? -1 : kept;
         kept += !lost;
-        if (!lost) continue;
+        if (!lost || body >= 0) continue;
         ++s.past.grains_lost;
         s.past.carried_away += kinetic_energy(p, k);
         s.past.potential_out += potential_of_gravity(s, k);
     }
     if (kept == static_cast<int>(p.count())) return;
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+        if (bodies[b]) {
+            ++s.past.grains_lost;
+            s.past.carried_away += kinetic_energy(s.bodies[b]);
+            s.past.potential_out += potential_of_gravity(s, s.bodies[b]);
+        }
     if (s.settings.ledger)
         for_each_contact(s, [&](std::size_t group, const Contacts& c, std::size_t slot) {
             const bool stays =

@@ -216,7 +216,8 @@ void search(const Simulation& s, const Classes& classes, const Partners& touchin
                 const Vec3 way = apart(s, i, j);
                 const double d2 = contact::dot(way, way);
                 const double reach = own + p.radius[j] + s.tiles[j / tile_size].margin;
-                if (d2 > reach * reach || (p.fixed(i) && p.fixed(j)) || touching.has(i, other))
+                if (d2 > reach * reach || (p.fixed(i) && p.fixed(j)) || p.of_one_body(i, j) ||
+                    touching.has(i, other))
                     return;
                 const double gap = std::sqrt(d2) - (p.radius[i] + p.radius[j]);
                 found.push_back(

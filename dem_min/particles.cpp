@@ -42,6 +42,7 @@ void Particles::add(const Grain& grain, std::int64_t new_id) {
         grain.fixed ? 0.0 : 2.5 / (mass[k] * (r * r));  // solid sphere: I = 2/5 m R^2
     id.push_back(new_id);
     material.push_back(grain.material);
+    body.push_back(-1);
 }
 
 namespace {
@@ -63,6 +64,7 @@ void Particles::renumber(const std::vector<int>& new_index) {
     for (Array* array : arrays()) renumber_array(*array, new_index, kept);
     renumber_array(id, new_index, kept);
     renumber_array(material, new_index, kept);
+    renumber_array(body, new_index, kept);
 }
 
 }  // namespace dem_min

@@ -31,12 +31,16 @@ struct Particles {
     Array fx, fy, fz;  // N
     Array tx, ty, tz;  // N m
     Array radius, mass;
-    Array inverse_mass, inverse_inertia;  // 0 for a fixed grain
+    Array inverse_mass, inverse_inertia;  // 0 for a fixed grain; members of bodies: see bodies.hpp
     std::vector<std::int64_t> id;         // order of birth, from 0; never reused
     std::vector<int> material;
+    std::vector<int> body;  // that it is a member of; -1: none
 
     std::size_t count() const { return x.size(); }
-    bool fixed(std::size_t k) const { return inverse_mass[k] == 0.0; }
+    bool fixed(std::size_t k) const { return inverse_mass[k] == 0.0 && body[k] < 0; }
+    bool of_one_body(std::size_t i, std::size_t j) const {
+        return body[i] >= 0 && body[i] == body[j];
+    }
 
     void add(const Grain&, std::int64_t new_id);
     // Grain k moves to new_index[k]; where that is -1 it goes. The others must fill 0, 1, 2, ... Shape: [count()].

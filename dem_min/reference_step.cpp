@@ -28,7 +28,7 @@ void begin_all(Simulation& s) {
     const Pairs pairs = in_contact(s, false), walls = in_contact(s, true);
     for (std::size_t i = 0; i < p.count(); ++i) {
         for (std::size_t j = i + 1; j < p.count(); ++j) {
-            if ((p.fixed(i) && p.fixed(j)) ||
+            if ((p.fixed(i) && p.fixed(j)) || p.of_one_body(i, j) ||
                 pairs.count({static_cast<int>(i), static_cast<int>(j)}) != 0)
                 continue;
             const Vec3 way = apart(s, i, j);
@@ -57,7 +57,9 @@ void reference_step(Simulation& s) {
     keep_books_from_afar(s);
     if (time_to_reorder(s)) reorder(s);
     fit_tiles(s);
+    begin_bodies(s);
     for (std::size_t t = 0; t < s.tiles.size(); ++t) begin_step(s, t);
+    place_members(s);
     move_walls(s, moving_walls(s));
     check_finite(s);
     remove_lost(s);
@@ -106,6 +108,7 @@ void reference_step(Simulation& s) {
         end_step(s, t);
         s.tiles[t].loads.clear();
     }
+    end_bodies(s);
     s.list_is_stale = true;  // `step` may follow
     keep_books_from_afar(s);
 }

@@ -71,6 +71,7 @@ Ledger ledger(const Simulation& s) {
     double potential = 0.0;
     for (std::size_t k = 0; k < s.grains.count(); ++k)
         if (!s.grains.fixed(k)) potential += potential_of_gravity(s, k);
+    for (const Body& body : s.bodies) potential += potential_of_gravity(s, body);
     sum.kinetic = kinetic_energy(s);
     sum.gravity_work = s.past.potential_in - s.past.potential_out - potential;
     sum.brought_in = s.past.kinetic_in;
@@ -81,6 +82,7 @@ Ledger ledger(const Simulation& s) {
 double kinetic_energy(const Simulation& s) {
     double sum = 0.0;
     for (std::size_t k = 0; k < s.grains.count(); ++k) sum += kinetic_energy(s.grains, k);
+    for (const Body& body : s.bodies) sum += kinetic_energy(body);
     return sum;
 }
 
@@ -90,6 +92,8 @@ double translational_energy(const Simulation& s) {
         if (!s.grains.fixed(k))
             sum +=
                 0.5 * s.grains.mass[k] * contact::dot(s.grains.velocity(k), s.grains.velocity(k));
+    for (const Body& body : s.bodies)
+        sum += 0.5 * body.mass * contact::dot(body.velocity, body.velocity);
     return sum;
 }
 
@@ -107,16 +111,23 @@ std::size_t wall_contact_count(const Simulation& s) {
     return count - pair_count(s);
 }
 
+std::size_t loose_count(const Simulation& s) {
+    std::size_t loose = s.bodies.size();
+    for (std::size_t k = 0; k < s.grains.count(); ++k)
+        loose += !s.grains.fixed(k) && s.grains.body[k] < 0;
+    return loose;
+}
+
 double mean_coordination(const Simulation& s) {
     const Particles& p = s.grains;
-    std::size_t ends = 0, loose = 0;
+    std::size_t ends = 0;
     const auto is_loose = [&](int k) {
         return static_cast<std::size_t>(!p.fixed(static_cast<std::size_t>(k)));
     };
-    for (std::size_t k = 0; k < p.count(); ++k) loose += !p.fixed(k);
     for_each_contact(s, [&](std::size_t group, const Contacts& c, std::size_t slot) {
         ends += is_loose(c.i[slot]) + (s.at_wall(group) ? 0 : is_loose(c.j[slot]));
     });
+    const std::size_t loose = loose_count(s);
     return loose == 0 ? 0.0 : static_cast<double>(ends) / static_cast<double>(loose);
 }
 
@@ -156,7 +167,8 @@ MemoryUse memory_use(const Simulation& s) {
     MemoryUse use{};
     Particles grains = s.grains;
     for (const Array* array : grains.arrays()) use.bytes_grains += bytes(*array);
-    use.bytes_grains += bytes(s.grains.id) + bytes(s.grains.material);
+    use.bytes_grains += bytes(s.grains.id) + bytes(s.grains.material) + bytes(s.grains.body) +
+                        bytes(s.bodies) + bytes(s.members);
     for (const Tile& tile : s.tiles) {
         for (const Contacts& c : tile.groups) {
             for (const Array* array : c.arrays()) use.bytes_contacts += bytes(*array);
@@ -202,6 +214,14 @@ std::uint64_t state_hash(const Simulation& s, double unit_of_length, double unit
     for (const auto* position : {&p.x, &p.y, &p.z}) add(*position, unit_of_length);
     for (const auto* velocity : {&p.vx, &p.vy, &p.vz}) add(*velocity, unit_of_velocity);
     for (const auto* spin : {&p.wx, &p.wy, &p.wz}) add(*spin, unit_of_spin);
+    for (const Body& body : s.bodies) {
+        const Quaternion& q = body.turn;
+        for (const double part : {q.w, q.x, q.y, q.z}) hash.add(part);
+        for (const double part : {body.centre.x, body.centre.y, body.centre.z})
+            hash.add(part / unit_of_length);
+        for (const double part : {body.velocity.x, body.velocity.y, body.velocity.z})
+            hash.add(part / unit_of_velocity);
+    }
     for_each_contact(s, [&](std::size_t group, const Contacts& c, std::size_t slot) {
         const double unit_of_rolling =
             std::holds_alternative<contact::RollingSds>(s.laws(group).rolling) ? unit_of_length

@@ -3,6 +3,7 @@
 // to the same instant. All numbers SI.
 #pragma once
 
+#include "dem_min/bodies.hpp"
 #include "dem_min/contacts.hpp"
 #include "dem_min/interaction.hpp"
 #include "dem_min/particles.hpp"
@@ -24,8 +25,8 @@ struct Settings {
     Fluid fluid = {};
     Shaking shaking = {};
     double lost_below =
-        0.0;          // m: a grain whose centre sinks below this z has left and is taken out
-    int threads = 1;  // at most
+        0.0;  // m: a grain or a body whose centre sinks below this z has left and is taken out
+    int threads = 1;               // at most
     int grains_per_thread = 1000;  // with fewer, threads wait for one another longer than they work
     bool ledger = false;           // keep the energy ledger
     // m, the box repeats itself with these periods in x and y; 0: open. Positions are not folded back.
@@ -44,8 +45,8 @@ struct Past {
     double potential_in = 0.0;  // J, likewise, in gravity and buoyancy, zero at the origin
     double carried_away =
         0.0;  // J, kinetic and elastic, by grains that have left; kinetic, of those put to sleep
-    double potential_out = 0.0;  // J, in gravity, of grains when they left
-    std::int64_t grains_lost = 0;
+    double potential_out = 0.0;    // J, in gravity, of grains when they left
+    std::int64_t grains_lost = 0;  // a body counts as one
     std::int64_t grain_steps = 0,
                  grain_steps_slept = 0;  // all, and those left out by sleeping tiles
 };
@@ -65,6 +66,8 @@ struct Simulation {
     std::vector<Wall> walls;
     std::vector<int> wall_material;  // [walls], or empty: all 0
     Particles grains;
+    std::vector<Body> bodies;     // that some of the grains are members of
+    std::vector<Member> members;  // body by body
     std::vector<Tile> tiles;
     std::vector<int>
         shares;  // [team + 1] tiles at which the share of each thread begins; made with the list
@@ -129,10 +132,13 @@ struct Ledger {
 };
 Ledger ledger(const Simulation&);  // settings.ledger must have been on from the start
 
-double kinetic_energy(const Simulation&);  // J, of all grains that are not fixed, spin included
+double kinetic_energy(
+    const Simulation&);  // J, of all grains that are not fixed and of bodies, spin included
 double translational_energy(const Simulation&);  // J, likewise, without spin
-double mean_coordination(
-    const Simulation&);                     // contacts per loose grain, with grains, base and walls
+// Loose grains that are no members, and bodies.
+std::size_t loose_count(const Simulation&);
+// Contacts per loose grain or body, with grains, base and walls; two clumps may touch at several points, each of which counts.
+double mean_coordination(const Simulation&);
 double largest_overlap(const Simulation&);  // 1, overlap over R* of the deepest contact; 0 without
 // N, mean over all contacts between grains of the elastic normal force, tension counted as 0; 0 without contacts.
 double mean_compression(const Simulation&);

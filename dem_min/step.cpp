@@ -228,6 +228,7 @@ void look_after(Simulation& s, bool base_moves) {
     }
     if (bad) check_finite(s);
     s.frame = 1.0 / static_cast<double>(s.grains.count()) * sum;
+    for (const Body& body : s.bodies) lost = lost || body.centre.z < s.settings.lost_below;
     if (lost) remove_lost(s);
     s.past.grain_steps += static_cast<std::int64_t>(s.grains.count());
     if (outdated(s)) find_neighbours(s);
@@ -302,20 +303,24 @@ void advance(Simulation& s, std::int64_t steps) {
     s.spare.resize(std::max(s.spare.size(), static_cast<std::size_t>(s.team())));
     const std::vector<Wall*> moving = moving_walls(s);
     const bool books = has_books_from_afar(s);  // they want the velocities between two steps
+    refuse_sleep_of_bodies(s);
     for (std::int64_t done = 0; done < steps; ++done) {
         if (books) keep_books_from_afar(s);
         if (time_to_reorder(s)) reorder(s);
         fit_tiles(s);
+        begin_bodies(s);
         if (!begun)
             share(s, [&](Spare&, auto&& take_tile) {
                 for (int t = take_tile(); t >= 0; t = take_tile())
                     if (Tile& tile = s.tiles[static_cast<std::size_t>(t)]; !tile.asleep)
                         note(s, tile, begin_step(s, static_cast<std::size_t>(t)));
             });
+        place_members(s);
         move_walls(s, moving);
         look_after(s, !moving.empty() || s.settings.shaking.acts());
         ++s.steps;
-        begun = done + 1 < steps && !time_to_reorder(s) && !books;
+        // Members go on when all their loads are there.
+        begun = done + 1 < steps && !time_to_reorder(s) && !books && s.bodies.empty();
         for (Tile& tile : s.tiles) tile.finished = false;
         share(s, [&](Spare& spare, auto&& take_tile) { load_tiles(s, spare, take_tile, begun); });
         hand_over(s);
@@ -324,6 +329,7 @@ void advance(Simulation& s, std::int64_t steps) {
                 if (!s.tiles[static_cast<std::size_t>(t)].finished)
                     finish_tile(s, static_cast<std::size_t>(t), begun, spare);
         });
+        end_bodies(s);
         if (books) keep_books_from_afar(s);
     }
 }

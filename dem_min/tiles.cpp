@@ -67,6 +67,7 @@ void fit_tiles(Simulation& s) {
 
 void renumber(Simulation& s, const std::vector<int>& new_index, bool by_grain) {
     s.grains.renumber(new_index);
+    renumber_bodies(s, new_index);
     std::vector<Tile> old = std::move(s.tiles);
     s.tiles.clear();
     fit_tiles(s);

@@ -149,6 +149,7 @@ void refuse_rig_of_our_own(const PileSetup& s, const DeckOptions& o, const std::
         refuse(o, engine, "is told of no friction_cap", ours);
     if (!s.materials.pairs.empty()) refuse(o, engine, "is told of one material only", ours);
     if (c.funnel || !c.meshes.empty()) refuse(o, engine, "is told of no funnel and no mesh", ours);
+    if (!s.feed_axis.empty()) refuse(o, engine, "is told of no clumps (shape)", ours);
     if (s.sleep_speed > 0.0) refuse(o, engine, "does not sleep", "leave --sleep out");
 }
 

@@ -200,6 +200,10 @@ Json to_json(const rigs::PileRecord& r) {
     json["grains_fed"] = r.grains_fed;
     json["grains_lost"] = r.grains_lost;
     json["grains_in_funnel"] = r.grains_in_funnel;
+    if (r.heap.spheres > 1)
+        json["shape"] = {{"aspect_ratio", finite(r.aspect_ratio)},
+                         {"spheres_per_grain", r.heap.spheres},
+                         {"spheres_in_heap", r.heap.centre.size()}};
     json["slept"] = finite(r.work.share_slept());
     json["slept_while_fed"] = finite(r.work_while_fed.share_slept());
     json["grain_steps"] = {{"asked", r.work.asked}, {"done", r.work.asked - r.work.slept}};

@@ -145,6 +145,10 @@ RunSection pile_section(const std::string& name, const rigs::PileRecord& record)
         count(static_cast<double>(record.grains_fed)),
         count(static_cast<double>(record.grains_lost)), packing_words(record.packing_fraction),
         number(record.coordination), count(static_cast<double>(record.steps))));
+    if (record.heap.spheres > 1)
+        section.notes.push_back(
+            fmt::format("each grain is a clump of {} spheres, {} times as long as it is wide",
+                        record.heap.spheres, number(record.aspect_ratio)));
     if (record.grains_in_funnel > 0)
         section.notes.push_back(fmt::format(
             "{} grains are still held by the funnel; they are no part of the heap, its angles and "

@@ -107,7 +107,9 @@ HeightMap scan(const Heap& heap) {
     require(heap);
     double sum = 0.0;
     for (const double r : heap.radius) sum += 2.0 * r;
-    const double d = heap.radius.empty() ? 0.0 : sum / static_cast<double>(heap.radius.size());
+    const double d = heap.radius.empty()
+                         ? 0.0
+                         : sum / static_cast<double>(heap.radius.size()) / heap.sphere_size;
     // An empty base gets the coarsest grid.
     const double wanted = d > 0.0 ? std::ceil(8.0 * heap.base_radius / d) : 0.0;
     const auto rings = static_cast<std::size_t>(std::clamp(wanted, 24.0, 400.0));
@@ -172,7 +174,7 @@ std::optional<PackingFraction> packing_fraction(const Heap& heap, const HeightMa
                 solid += std::max(0.0, length) * map.area(ring);
             });
     }
-    return PackingFraction{solid / space, space};
+    return PackingFraction{heap.filled() * solid / space, space};
 }
 
 }  // namespace rigs

@@ -3,6 +3,7 @@
 
 #include "contact/effective.hpp"
 #include "dem_min/walls.hpp"
+#include "scaling/errors.hpp"
 
 #include <fmt/format.h>
 
@@ -75,7 +76,11 @@ class Clusters {
     std::vector<std::size_t> leader_;
 };
 
-// Joined are those whose contact `counts(group, contacts, slot)`; glued grains are ground.
+std::size_t grain_of_member(const Simulation& s, std::int64_t member) {
+    return static_cast<std::size_t>(s.members[static_cast<std::size_t>(member)].grain);
+}
+
+// Joined are the spheres of a clump and those whose contact `counts(group, contacts, slot)`; glued grains are ground.
 template <class Counts>
 Clusters clusters(const Simulation& s, Counts&& counts) {
     Clusters joined(s.grains.count());
@@ -88,6 +93,9 @@ Clusters clusters(const Simulation& s, Counts&& counts) {
             if (!counts(group, c, slot)) return;
             joined.join(member(c.i[slot]), s.at_wall(group) ? joined.ground() : member(c.j[slot]));
         });
+    for (const dem_min::Body& body : s.bodies)
+        for (std::int64_t m = body.first; m < body.first + body.count; ++m)
+            joined.join(grain_of_member(s, m), grain_of_member(s, body.first));
     return joined;
 }
 
@@ -111,14 +119,20 @@ bool inside_or_above(const Funnel& f, contact::Vec3 p) {
     return p.x * p.x + p.y * p.y < radius * radius;
 }
 
-// [grains], true for those that the funnel still holds: inside or above it, or hanging from what is, with no other way
+// m, of the grain, or of the clump that it is a part of.
+contact::Vec3 centre_of_whole(const Simulation& s, std::size_t k) {
+    const int body = s.grains.body[k];
+    return body < 0 ? s.grains.position(k) : s.bodies[static_cast<std::size_t>(body)].centre;
+}
+
+// [grains], true for those that the funnel still holds: inside or above it (of a clump its centre), or hanging from what is, with no other way
 // to the ground by contacts. None without a funnel.
 std::vector<bool> held_by_funnel(const Simulation& s, const PileConditions& conditions) {
     std::vector<bool> held(s.grains.count(), false);
     if (!conditions.funnel) return held;
     const int funnel = static_cast<int>(walls_of_base(conditions));
     for (std::size_t k = 0; k < held.size(); ++k)
-        held[k] = !s.grains.fixed(k) && inside_or_above(*conditions.funnel, s.grains.position(k));
+        held[k] = !s.grains.fixed(k) && inside_or_above(*conditions.funnel, centre_of_whole(s, k));
     const auto is_held = [&](int grain) { return bool{held[static_cast<std::size_t>(grain)]}; };
     const auto outside = [&](std::size_t group, const dem_min::Contacts& c, std::size_t slot) {
         if (is_held(c.i[slot])) return false;
@@ -136,22 +150,24 @@ std::vector<bool> held_by_funnel(const Simulation& s, const PileConditions& cond
     return held;
 }
 
-// The lowest height at or above `lowest` at which a sphere at (x, y) is clear of all others, by a thousandth of its reach; in
+// The lowest height at or above `lowest` at which spheres around (x, y) are clear of all others, by a thousandth of their reach; in
 // the room.
-double free_height(const Simulation& s, const Stand& stand, double x, double y, double radius,
-                   double lowest) {
+double free_height(const Simulation& s, const Stand& stand, double x, double y,
+                   const std::vector<dem_min::Ball>& spheres, double lowest) {
     double z = lowest;
     for (bool moved = true; moved;) {
         moved = false;
-        for (std::size_t k = 0; k < s.grains.count(); ++k) {
-            const double reach = 1.001 * (s.grains.radius[k] + radius);
-            const Vec3 p = in_room(stand, s.grains.position(k), s.time());
-            const double dx = p.x - x, dy = p.y - y, dz = z - p.z;
-            const double level = reach * reach - dx * dx - dy * dy;
-            if (level <= 0.0 || dz * dz >= level) continue;
-            z = p.z + std::sqrt(level) * 1.001;
-            moved = true;
-        }
+        for (std::size_t k = 0; k < s.grains.count(); ++k)
+            for (const auto& [place, radius] : spheres) {
+                const double reach = 1.001 * (s.grains.radius[k] + radius);
+                const Vec3 p = in_room(stand, s.grains.position(k), s.time());
+                const double dx = p.x - (x + place.x), dy = p.y - (y + place.y),
+                             dz = z + place.z - p.z;
+                const double level = reach * reach - dx * dx - dy * dy;
+                if (level <= 0.0 || dz * dz >= level) continue;
+                z = p.z + std::sqrt(level) * 1.001 - place.z;
+                moved = true;
+            }
     }
     return z;
 }
@@ -173,16 +189,33 @@ void feed(PileRun& run, const PileSetup& setup) {
                      y = setup.feed_y[run.fed];
         const double mouth = c.funnel ? c.funnel->outlet_height + c.funnel->height : c.drop_height;
         const double lowest = std::max(mouth, heap_top(s, stand) + 2.0 * setup.d);
-        const double z = free_height(s, stand, x, y, radius, lowest + radius);
         const Vec3 velocity{0.0, 0.0,
                             stand.shaking.acts() ? -stand.shaking.velocity(s.time()) : 0.0};
         const Materials& m = setup.materials;
         const int material = m.of_grain.empty() ? cases::material_of_grain : m.of_grain[run.fed];
         const double density =
             m.density.empty() ? setup.density : m.density[static_cast<std::size_t>(material)];
-        dem_min::insert(
-            s,
-            {on_base(stand, {x, y, z}, s.time()), velocity, {}, radius, density, false, material});
+        const dem_min::Clump grain = grain_of(setup, 2.0 * radius, density);
+        const bool sphere = setup.feed_axis.empty();
+        const dem_min::Quaternion turn =
+            sphere ? dem_min::Quaternion{} : dem_min::turn_to(setup.feed_axis[run.fed]);
+        std::vector<dem_min::Ball> spheres = grain.balls;
+        double below = 0.0;  // m, from the centre to the lowest point
+        for (dem_min::Ball& ball : spheres) {
+            ball.place = dem_min::turned(turn, ball.place);
+            below = std::max(below, ball.radius - ball.place.z);
+        }
+        const double z = free_height(s, stand, x, y, spheres, lowest + below);
+        if (sphere)
+            dem_min::insert(s, {on_base(stand, {x, y, z}, s.time()),
+                                velocity,
+                                {},
+                                radius,
+                                density,
+                                false,
+                                material});
+        else  // the base stands level and still (pile_setup)
+            dem_min::insert(s, grain, {{x, y, z}, turn, {}, {}, material});
         ++run.fed;
     }
 }
@@ -198,18 +231,12 @@ std::int64_t next_event(const PileRun& run, const PileSetup& setup) {
     return std::max(now + 1, step);
 }
 
-std::size_t loose_grains(const Simulation& s) {
-    std::size_t loose = 0;
-    for (std::size_t k = 0; k < s.grains.count(); ++k) loose += !s.grains.fixed(k);
-    return loose;
-}
-
 // Kinetic energy of translation per loose grain over m g d, m and d nominal. Spin is left out: without adhesion nothing resists
 // the twisting of a grain about the vertical normal on which it stands, and that moves nothing.
 double restlessness(const Simulation& s, const PileSetup& setup) {
     const double mass = setup.density * (std::numbers::pi / 6.0) * (setup.d * setup.d * setup.d);
     const double unit = mass * setup.gravity * setup.d;
-    const std::size_t loose = loose_grains(s);
+    const std::size_t loose = dem_min::loose_count(s);
     return loose == 0 ? 0.0 : dem_min::translational_energy(s) / static_cast<double>(loose) / unit;
 }
 
@@ -230,6 +257,10 @@ void watch_rest(PileRun& run, const PileSetup& setup) {
 }  // namespace
 
 PileRun begin_pile(const PileSetup& setup, int threads, bool ledger) {
+    if (setup.aspect_ratio > 1.0 && setup.sleep_speed > 0.0)
+        throw scaling::InvalidInput(scaling::mistake("sleep", "with \"shape\" in model.physics",
+                                                     "must be off where grains are clumps",
+                                                     "leave --sleep out"));
     PileRun run;
     Simulation& s = run.simulation;
     s.settings = {.time_step = setup.time_step,
@@ -273,10 +304,18 @@ PileRecord record(const PileRun& run, const PileSetup& setup) {
     PileRecord result{};
     result.heap.base_radius = 0.5 * setup.conditions.base_diameter;
     const std::vector<bool> held = held_by_funnel(s, setup.conditions);
-    for (std::size_t k = 0; k < s.grains.count(); ++k) {
-        if (s.grains.fixed(k) || held[k]) continue;
+    const auto add = [&](std::size_t k) {
+        if (s.grains.fixed(k) || held[k]) return;
         result.heap.centre.push_back(s.grains.position(k));
         result.heap.radius.push_back(s.grains.radius[k]);
+    };
+    const dem_min::Clump one = grain_of(setup, setup.d, setup.density);
+    if (setup.feed_axis.empty()) {
+        for (std::size_t k = 0; k < s.grains.count(); ++k) add(k);
+    } else {
+        result.heap.spheres = static_cast<int>(one.balls.size());
+        result.heap.sphere_size = one.balls.front().radius / (0.5 * setup.d);
+        for (const dem_min::Member& member : s.members) add(static_cast<std::size_t>(member.grain));
     }
     const HeightMap map = scan(result.heap);
     result.at_rest = run.at_rest;
@@ -297,7 +336,8 @@ PileRecord record(const PileRun& run, const PileSetup& setup) {
     result.base_radius = result.heap.base_radius;
     result.grain_diameter = setup.d;
     result.hash = dem_min::state_hash(s);
-    result.grains_in_funnel = std::count(held.begin(), held.end(), true);
+    result.grains_in_funnel = std::count(held.begin(), held.end(), true) / result.heap.spheres;
+    result.aspect_ratio = setup.aspect_ratio;
     result.notes = setup.notes;
     if (run.finished && !run.at_rest && setup.stand.shaking.acts())
         result.notes.push_back(fmt::format(

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "cases/case.hpp"
+#include "dem_min/clump.hpp"
 #include "dem_min/mesh.hpp"
 #include "dem_min/simulation.hpp"
 #include "rigs/angle_of_repose.hpp"
@@ -72,7 +73,10 @@ struct PileSetup {
     double longest;                      // s: a run that has not come to rest by then is given up
     std::vector<double> feed_time;       // s, [grains]
     std::vector<double> feed_x, feed_y;  // m, [grains]
-    std::vector<double> radius;          // m, [grains]
+    std::vector<double> radius;          // m, [grains]; of clumps that of a sphere as large
+    // Length over width of the grains. Above 1 they are clumps of spheres (dem_min/clump.hpp), which appear lying along `feed_axis`.
+    double aspect_ratio = 1.0;
+    std::vector<contact::Vec3> feed_axis = {};  // 1, [grains]; empty: spheres
     double sleep_speed = 0.0;  // m/s: regions whose grains are all slower are left out; 0: none
     std::vector<std::string> notes = {};  // on the apparatus: open edges of a mesh and the like
     Stand stand = {};                     // of the base, and of what else stands on it
@@ -91,7 +95,13 @@ void choose_steps(PileSetup&);
 // heap counts as at rest. m/s.
 double speed_of_rest(const PileSetup&);
 
-// Draws feeding instants, places, sizes and, where sizes have materials of their own, these.
+// What a grain of nominal diameter `d` is made of: a sphere is a clump of one.
+dem_min::Clump grain_of(const PileSetup&, double d, double density);
+
+// Spheres of a grain: 1, or those of a clump.
+std::size_t spheres_per_grain(const PileSetup&);
+
+// Draws feeding instants, places, directions of clumps, sizes and, where sizes have materials of their own, these.
 void choose_feed(PileSetup&, const cases::Grain& sizes, std::uint64_t seed);
 
 // The fluid, the tilt and the vibration that the model names (rigs/pile_surroundings.cpp). Conditions and densities must be there.
@@ -147,7 +157,8 @@ struct PileRecord {
     RadialProfile profile;
     std::optional<double> packing_fraction;
     double coordination;
-    std::int64_t grains_fed, grains_lost, grains_in_funnel, steps;
+    std::int64_t grains_fed, grains_lost, grains_in_funnel, steps;  // a clump is one grain
+    double aspect_ratio;                                            // of the grains
     GrainSteps work, work_while_fed;
     double time_step;                    // s
     double base_radius, grain_diameter;  // m

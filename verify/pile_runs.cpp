@@ -70,6 +70,8 @@ std::string described(const rigs::PileSetup& s) {
     }
     for (const auto* list : {&s.feed_time, &s.feed_x, &s.feed_y, &s.radius, &s.materials.density})
         for (const double value : *list) add(value);
+    if (!s.feed_axis.empty()) text += " shape", add(s.aspect_ratio);
+    for (const contact::Vec3& axis : s.feed_axis) add(axis.x), add(axis.y), add(axis.z);
     return text;
 }
 
@@ -89,7 +91,7 @@ PileSample sample_of(const rigs::PileEnd& end, const PileJob& job, double second
     }
     sample.packing_fraction = record.packing_fraction;
     sample.coordination = record.coordination;
-    sample.grains_on_base = static_cast<double>(record.heap.radius.size());
+    sample.grains_on_base = static_cast<double>(record.heap.grains());
     sample.grains_lost = static_cast<double>(record.grains_lost);
     sample.steps = static_cast<double>(record.steps);
     sample.seconds = seconds;
