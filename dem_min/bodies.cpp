@@ -46,6 +46,7 @@ Vec3 vector_of(const Quaternion& q) { return {q.x, q.y, q.z}; }
 // Body by body; each is alone with its members.
 template <class Each>
 void for_each_body(Simulation& s, Each&& each) {
+    if (s.bodies.empty()) return;
     const int bodies = static_cast<int>(s.bodies.size()), team = s.team();
 #pragma omp parallel for schedule(static) num_threads(team) if (team > 1)
     for (int b = 0; b < bodies; ++b) each(s.bodies[static_cast<std::size_t>(b)]);
