@@ -113,7 +113,7 @@ PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment,
                      std::uint64_t seed) {
     refuse_other_physics(c, "pile",
                          {"gravity", "hertz_mindlin", "hertz_coulomb", "adhesion", "wall_adhesion",
-                          "wall_friction", "rolling_resistance"});
+                          "wall_friction", "rolling_resistance", "capillary_bridge", "ageing"});
     const cases::Model& model = c.model;
     const contact::Material grain = grain_material(experiment), plate = plate_material(experiment);
     PileSetup s{};
@@ -138,6 +138,7 @@ PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment,
     s.walls.restitution = model.wall_value_or("restitution", 1.0);
     s.grains.rigid_tangential = s.walls.rigid_tangential = rigid;
     s.grains.friction_cap = s.walls.friction_cap = friction_cap(model.friction_cap);
+    add_pair_effects(c, s.grains, s.walls);
     choose_feed(s, experiment.grain, seed);
     choose_materials(s, c, experiment);
     choose_steps(s);
@@ -179,18 +180,19 @@ void choose_steps(PileSetup& s) {
     for (const int number : s.materials.of_grain)
         if (!s.materials.density.empty())
             density = std::min(density, s.materials.density[static_cast<std::size_t>(number)]);
-    const dem_min::StepLimits limits =
-        dem_min::step_limits({.radius = smallest,
-                              .density = density,
-                              .youngs_modulus = 2.0 * (1.0 - nu * nu) * e_star,
-                              .poisson_ratio = nu,
-                              .work_of_adhesion = work_of_adhesion,
-                              .fastest_impact = std::sqrt(2.0 * s.gravity * fall)});
-    s.time_step = limits.shortest();
     s.skin = 0.2 * s.d;
     s.lost_below = -3.0 * s.d;
     s.rest_duration = std::sqrt(1000.0 * s.d / s.gravity);
     s.longest = s.feed_time.back() + 30.0 * s.rest_duration;
+    const dem_min::StepLimits limits = dem_min::step_limits(
+        {.radius = smallest,
+         .density = density,
+         .youngs_modulus = 2.0 * (1.0 - nu * nu) * e_star,
+         .poisson_ratio = nu,
+         .work_of_adhesion = work_of_adhesion * s.grains.ageing.growth(s.longest),
+         .fastest_impact = std::sqrt(2.0 * s.gravity * fall),
+         .bridge = s.grains.bridge});
+    s.time_step = limits.shortest();
 }
 
 void take_lammps_rules(PileSetup& s) {
@@ -226,10 +228,10 @@ PileSetup scaled(const PileSetup& original, const scaling::ScaleMap& map) {
     times(map.factor("gravity"), s.gravity);
     times(map.factor("youngs_modulus"), s.grains.e_star, s.grains.g_star, s.walls.e_star,
           s.walls.g_star);
-    times(map.factor("work_of_adhesion"), s.grains.work_of_adhesion, s.walls.work_of_adhesion);
+    scale_attraction(s.grains, map), scale_attraction(s.walls, map);
     for (PairParameters& pair : s.materials.pairs) {
         times(map.factor("youngs_modulus"), pair.laws.e_star, pair.laws.g_star);
-        times(map.factor("work_of_adhesion"), pair.laws.work_of_adhesion);
+        scale_attraction(pair.laws, map);
     }
     for (double& density : s.materials.density) times(map.factor("density"), density);
     const double mass = map.factor("density") * length * length * length;
