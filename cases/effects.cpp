@@ -62,6 +62,7 @@ const std::vector<ParameterRule>& parameter_rules() {
         {"frequency", "Hz", Domain::not_negative},
         {"phase", "rad", Domain::any},
         {"ageing_rate", "1", Domain::any},
+        {"ageing_onset", "s", Domain::positive},
         {"scale", "1", Domain::positive},
         {"offset", "", Domain::any},
         {"factor", "1", Domain::positive},

@@ -147,6 +147,8 @@ void refuse_rig_of_our_own(const PileSetup& s, const DeckOptions& o, const std::
     if (s.grains.rigid_tangential) refuse(o, engine, "has no rigid friction (hertz_coulomb)", ours);
     if (s.grains.friction_cap != contact::FrictionCap::elastic_plus_two_pull_off)
         refuse(o, engine, "is told of no friction_cap", ours);
+    if (s.grains.bridge.acts()) refuse(o, engine, "is told of no capillary_bridge", ours);
+    if (s.grains.ageing.acts()) refuse(o, engine, "has no ageing of adhesion", ours);
     if (!s.materials.pairs.empty()) refuse(o, engine, "is told of one material only", ours);
     if (c.funnel || !c.meshes.empty()) refuse(o, engine, "is told of no funnel and no mesh", ours);
     if (!s.feed_axis.empty()) refuse(o, engine, "is told of no clumps (shape)", ours);

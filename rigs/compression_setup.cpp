@@ -99,7 +99,7 @@ CompressionSetup scaled(const CompressionSetup& original, const scaling::ScaleMa
           s.plates.g_star);
     times(map.factor("density"), s.density);
     times(map.factor("gravity"), s.gravity);
-    times(map.factor("work_of_adhesion"), s.grains.work_of_adhesion, s.plates.work_of_adhesion);
+    scale_attraction(s.grains, map), scale_attraction(s.plates, map);
     for (std::size_t k = 0; k < s.radius.size(); ++k)
         times(length, s.radius[k], s.place[k].x, s.place[k].y, s.place[k].z);
     return s;

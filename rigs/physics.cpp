@@ -18,10 +18,11 @@ constexpr double rolling_damping_ratio = 1.0;
 dem_min::Laws laws(const ContactParameters& c) {
     dem_min::Laws result{contact::Hertz{c.e_star}, contact::Mindlin{c.g_star, c.sliding_friction},
                          contact::NoRolling{}, contact::DampingTsuji1992::from(c.restitution)};
-    if (c.work_of_adhesion > 0.0) {
-        result.normal = contact::Jkr{c.e_star, c.work_of_adhesion};
+    if (c.work_of_adhesion > 0.0) result.normal = contact::Jkr{c.e_star, c.work_of_adhesion};
+    if (c.work_of_adhesion > 0.0 || c.bridge.acts())
         result.twisting = {c.g_star, c.sliding_friction};
-    }
+    result.bridge = c.bridge;
+    if (c.work_of_adhesion > 0.0) result.ageing = c.ageing;
     result.friction_cap = c.friction_cap;
     if (c.rigid_tangential) result.tangential = contact::Coulomb{c.sliding_friction};
     if (c.rolling_friction > 0.0)
@@ -91,6 +92,44 @@ BulkContacts bulk_contacts(const cases::Case& c, const cases::Experiment& experi
     s.grains.rigid_tangential = s.walls.rigid_tangential = rigid;
     s.grains.friction_cap = s.walls.friction_cap = friction_cap(model.friction_cap);
     return s;
+}
+
+void add_pair_effects(const cases::Case& c, ContactParameters& grains, ContactParameters& walls) {
+    const cases::Model& model = c.model;
+    const std::string where = c.path + ": model.";
+    const auto build = [&](const char* parameters, const auto& make) {
+        try {
+            return make();
+        } catch (const scaling::InvalidParameter& mistake) {
+            throw scaling::InvalidInput(where + parameters + ": " + mistake.what());
+        }
+    };
+    if (model.includes("capillary_bridge"))
+        grains.bridge = walls.bridge = build("parameters", [&] {
+            return contact::CapillaryBridge::from(
+                scaling::in_si<scaling::EnergyPerArea>(model.value_or("surface_tension", 0.0)),
+                scaling::in_si<scaling::Volume>(model.value_or("liquid_volume", 0.0)),
+                model.value_or("contact_angle", 0.0));
+        });
+    if (!model.includes("ageing")) return;
+    if (!model.includes("adhesion") && !model.includes("wall_adhesion"))
+        throw scaling::InvalidInput(
+            scaling::mistake(where + "physics", "\"ageing\" without adhesion",
+                             "must stand beside adhesion or wall_adhesion",
+                             "name one of them: what ages is the work of adhesion"));
+    grains.ageing = walls.ageing = build("parameters", [&] {
+        return contact::Ageing::from(
+            model.value_or("ageing_rate", 0.0),
+            scaling::in_si<scaling::Time>(model.value_or("ageing_onset", 1.0)));
+    });
+}
+
+void scale_attraction(ContactParameters& c, const scaling::ScaleMap& map) {
+    c.work_of_adhesion *= map.factor("work_of_adhesion");
+    c.bridge.pull_per_radius *= map.factor("surface_tension");
+    c.bridge.volume *= map.factor("liquid_volume");
+    c.bridge.rupture_gap *= map.factor("length");
+    c.ageing.onset *= map.factor("time");
 }
 
 void refuse_other_physics(const cases::Case& c, const std::string& rig,

@@ -5,6 +5,7 @@
 #include "cases/case.hpp"
 #include "contact/effective.hpp"
 #include "dem_min/interaction.hpp"
+#include "scaling/scale_map.hpp"
 
 #include <optional>
 #include <string>
@@ -27,10 +28,12 @@ struct ContactParameters {
     // Where it is there, the rules are those that LAMMPS has as well: SDS in place of EPSD, JKR torn off at the deepest tension,
     // without adhesion friction of the whole normal force, dashpot included.
     std::optional<LammpsRules> as_lammps = std::nullopt;
+    contact::CapillaryBridge bridge = {};
+    contact::Ageing ageing = {};
 };
 
-// Hertz or JKR, Mindlin or Coulomb, EPSD or no rolling resistance, Tsuji's dashpots; with adhesion also twisting resistance,
-// without which a sticky branch that hangs on one contact swings about its normal for ever.
+// Hertz or JKR, Mindlin or Coulomb, EPSD or no rolling resistance, Tsuji's dashpots; with adhesion or a bridge also twisting
+// resistance, without which a sticky branch that hangs on one contact swings about its normal for ever.
 dem_min::Laws laws(const ContactParameters&);
 
 // By a name of cases::friction_caps(); elastic_plus_two_pull_off where it is empty.
@@ -50,6 +53,13 @@ struct BulkContacts {
     ContactParameters grains, walls;
 };
 BulkContacts bulk_contacts(const cases::Case&, const cases::Experiment&);
+
+// Capillary bridge and ageing, as the case has them: at all contacts of a bulk rig. `grains` and `walls` must have their work of
+// adhesion. Throws scaling::InvalidInput where they cannot act.
+void add_pair_effects(const cases::Case&, ContactParameters& grains, ContactParameters& walls);
+
+// Bridge, ageing and work of adhesion in the units of the scaled system.
+void scale_attraction(ContactParameters&, const scaling::ScaleMap&);
 
 // Throws scaling::InvalidInput where `model.physics` holds anything but `known`: it would be left out in silence.
 void refuse_other_physics(const cases::Case&, const std::string& rig,

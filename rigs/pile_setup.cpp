@@ -76,7 +76,8 @@ double default_feed_rate(const PileConditions& c, double d, double gravity) {
 PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment,
                      std::uint64_t seed) {
     std::vector<std::string> physics = bulk_physics();
-    physics.insert(physics.end(), {"air_drag", "buoyancy", "tilt", "vibration", "shape"});
+    physics.insert(physics.end(), {"air_drag", "buoyancy", "tilt", "vibration", "shape",
+                                   "capillary_bridge", "ageing"});
     refuse_other_physics(c, "pile", physics);
     if (c.model.includes("shape"))
         for (const char* other : {"air_drag", "buoyancy", "tilt", "vibration"})
@@ -94,6 +95,7 @@ PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment,
     const BulkContacts contacts = bulk_contacts(c, experiment);
     s.grains = contacts.grains, s.walls = contacts.walls;
     if (c.model.includes("shape")) s.aspect_ratio = c.model.value_or("aspect_ratio", 1.0);
+    add_pair_effects(c, s.grains, s.walls);
     choose_feed(s, experiment.grain, seed);
     choose_materials(s, c, experiment);
     choose_surroundings(s, c, experiment);
@@ -157,19 +159,20 @@ void choose_steps(PileSetup& s) {
     for (const int number : s.materials.of_grain)
         if (!s.materials.density.empty())
             density = std::min(density, s.materials.density[static_cast<std::size_t>(number)]);
-    const dem_min::StepLimits limits =
-        dem_min::step_limits({.radius = smallest,
-                              .density = density,
-                              .youngs_modulus = 2.0 * (1.0 - nu * nu) * e_star,
-                              .poisson_ratio = nu,
-                              .work_of_adhesion = work_of_adhesion,
-                              .fastest_impact = std::sqrt(2.0 * s.gravity * fall) +
-                                                s.stand.shaking.amplitude * s.stand.shaking.omega});
-    s.time_step = limits.shortest();
     s.skin = 0.2 * s.d;
     s.lost_below = -3.0 * s.d;
     s.rest_duration = std::sqrt(1000.0 * s.d / s.gravity);
     s.longest = s.feed_time.back() + (s.stand.shaking.acts() ? 10.0 : 30.0) * s.rest_duration;
+    const dem_min::StepLimits limits = dem_min::step_limits(
+        {.radius = smallest,
+         .density = density,
+         .youngs_modulus = 2.0 * (1.0 - nu * nu) * e_star,
+         .poisson_ratio = nu,
+         .work_of_adhesion = work_of_adhesion * s.grains.ageing.growth(s.longest),
+         .fastest_impact =
+             std::sqrt(2.0 * s.gravity * fall) + s.stand.shaking.amplitude * s.stand.shaking.omega,
+         .bridge = s.grains.bridge});
+    s.time_step = limits.shortest();
 }
 
 void take_lammps_rules(PileSetup& s) {
@@ -209,10 +212,10 @@ PileSetup scaled(const PileSetup& original, const scaling::ScaleMap& map) {
     times(1.0 / time, s.stand.shaking.omega);
     times(map.factor("youngs_modulus"), s.grains.e_star, s.grains.g_star, s.walls.e_star,
           s.walls.g_star);
-    times(map.factor("work_of_adhesion"), s.grains.work_of_adhesion, s.walls.work_of_adhesion);
+    scale_attraction(s.grains, map), scale_attraction(s.walls, map);
     for (PairParameters& pair : s.materials.pairs) {
         times(map.factor("youngs_modulus"), pair.laws.e_star, pair.laws.g_star);
-        times(map.factor("work_of_adhesion"), pair.laws.work_of_adhesion);
+        scale_attraction(pair.laws, map);
     }
     for (double& density : s.materials.density) times(map.factor("density"), density);
     const double mass = map.factor("density") * length * length * length;

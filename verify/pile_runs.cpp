@@ -47,6 +47,14 @@ std::string described(const rigs::PileSetup& s) {
         text += p.rigid_tangential ? " rigid" : " elastic";
         if (p.friction_cap != contact::FrictionCap::elastic_plus_two_pull_off)
             text += fmt::format(" cap {}", static_cast<int>(p.friction_cap));
+        if (p.bridge.acts()) {
+            text += " bridge";
+            add(p.bridge.pull_per_radius), add(p.bridge.volume), add(p.bridge.rupture_gap);
+        }
+        if (p.ageing.acts()) {
+            text += " ageing";
+            add(p.ageing.rate), add(p.ageing.onset);
+        }
         if (p.as_lammps) {
             text += " sds";
             add(p.as_lammps->rolling_stiffness), add(p.as_lammps->rolling_damping);

@@ -150,6 +150,10 @@ TEST_CASE("lammps pile: what LAMMPS has not is refused by name", "[engines][lamm
     CHECK_THAT(message(s), Contains("hertz_coulomb"));
     s = good, s.grains.friction_cap = contact::FrictionCap::elastic;
     CHECK_THAT(message(s), Contains("friction_cap"));
+    s = good, s.grains.bridge = {.pull_per_radius = 1.0, .volume = 1e-15, .rupture_gap = 1e-5};
+    CHECK_THAT(message(s), Contains("capillary_bridge"));
+    s = good, s.grains.ageing.rate = 0.1;
+    CHECK_THAT(message(s), Contains("ageing"));
     s = good, s.grains.restitution = 0.1;
     CHECK_THAT(message(s), Contains("0.12"));
     s = good, s.sleep_speed = 1.0;
