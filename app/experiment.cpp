@@ -81,9 +81,7 @@ PileTask pile_task(const Case& c, const Experiment& e, const CommonOptions& o,
     }
     const std::int64_t steps = rigs::expected_steps(task.setup);
     refuse_frames(place.dump, task.setup.time_step, steps, place.yes);
-    if (!place.yes)
-        refuse_unaffordable(e, task.setup.feed_time.size() * rigs::spheres_per_grain(task.setup),
-                            steps, task.plan.threads);
+    if (!place.yes) refuse_unaffordable(e, task.setup, task.plan.threads);
     return task;
 }
 

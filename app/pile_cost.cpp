@@ -73,4 +73,9 @@ void refuse_unaffordable(const Experiment& e, std::size_t grains, std::int64_t s
         "must not need more than 12 h unasked");
 }
 
+void refuse_unaffordable(const Experiment& e, const rigs::PileSetup& setup, int threads) {
+    refuse_unaffordable(e, setup.feed_time.size() * rigs::spheres_per_grain(setup),
+                        rigs::expected_steps(setup), threads);
+}
+
 }  // namespace app

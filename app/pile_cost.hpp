@@ -21,5 +21,6 @@ double seconds_of(const rigs::PileSetup&, int threads);
 // Throws scaling::InvalidInput where the run would take more than 12 hours.
 void refuse_unaffordable(const cases::Experiment&, std::size_t grains, std::int64_t steps,
                          int threads);
+void refuse_unaffordable(const cases::Experiment&, const rigs::PileSetup&, int threads);
 
 }  // namespace app
