@@ -88,8 +88,10 @@ void choose_steps(PileSetup&);
 // heap counts as at rest. m/s.
 double speed_of_rest(const PileSetup&);
 
-// Draws feeding instants, places, sizes and, where sizes have materials of their own, these.
-void choose_feed(PileSetup&, const cases::Grain& sizes, std::uint64_t seed);
+// Draws feeding instants, places, sizes and, where sizes have materials of their own, these. `size_spread` > 0: in place of stated
+// sizes, log-normal by number about `diameter`, standard deviation over mean (cut at 2.5 deviations of the logarithm).
+void choose_feed(PileSetup&, const cases::Grain& sizes, std::uint64_t seed,
+                 double size_spread = 0.0);
 
 // Densities and pairs of what the feed has drawn (rigs/pile_materials.cpp). `s.grains` and `s.walls` must be there.
 void choose_materials(PileSetup&, const cases::Case&, const cases::Experiment&);

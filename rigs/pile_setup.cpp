@@ -49,7 +49,24 @@ struct Drawn {
     int material;
 };
 
-Drawn draw(const cases::Grain& grain, double u) {
+// Log-normal by number, cut off at `cut` of its deviations: mean d before the cut, deviation `spread` times the mean.
+double log_normal_diameter(double d, double spread, double u) {
+    constexpr double cut = 2.5;
+    const double deviation = std::sqrt(std::log1p(spread * spread));
+    const double below = 0.5 * std::erfc(cut / std::numbers::sqrt2);
+    const double wanted = below + u * (1.0 - 2.0 * below);
+    double low = -cut, high = cut;  // of the normal deviate, halved down to its last bits
+    for (int k = 0; k < 60; ++k) {
+        const double middle = 0.5 * (low + high);
+        (0.5 * std::erfc(-middle / std::numbers::sqrt2) < wanted ? low : high) = middle;
+    }
+    return d * std::exp(deviation * 0.5 * (low + high) - 0.5 * deviation * deviation);
+}
+
+Drawn draw(const cases::Grain& grain, double spread, double u) {
+    if (spread > 0.0)
+        return {log_normal_diameter(grain.diameter.value.value(), spread, u),
+                cases::material_of_grain};
     if (!grain.size_distribution.empty())
         return {diameter_by_number(grain.size_distribution, u), cases::material_of_grain};
     if (grain.sizes.empty()) return {grain.diameter.value.value(), cases::material_of_grain};
@@ -113,7 +130,7 @@ PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment,
                      std::uint64_t seed) {
     refuse_other_physics(c, "pile",
                          {"gravity", "hertz_mindlin", "hertz_coulomb", "adhesion", "wall_adhesion",
-                          "wall_friction", "rolling_resistance"});
+                          "wall_friction", "rolling_resistance", "polydispersity"});
     const cases::Model& model = c.model;
     const contact::Material grain = grain_material(experiment), plate = plate_material(experiment);
     PileSetup s{};
@@ -138,7 +155,14 @@ PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment,
     s.walls.restitution = model.wall_value_or("restitution", 1.0);
     s.grains.rigid_tangential = s.walls.rigid_tangential = rigid;
     s.grains.friction_cap = s.walls.friction_cap = friction_cap(model.friction_cap);
-    choose_feed(s, experiment.grain, seed);
+    const double spread =
+        model.includes("polydispersity") ? model.value_or("size_spread", 0.0) : 0.0;
+    if (spread > 0.0 &&
+        (!experiment.grain.sizes.empty() || !experiment.grain.size_distribution.empty()))
+        throw scaling::InvalidInput(
+            scaling::mistake(c.path + ": model.physics", "polydispersity beside stated sizes",
+                             "must be one of the two", "remove \"sizes\" or \"polydispersity\""));
+    choose_feed(s, experiment.grain, seed, spread);
     choose_materials(s, c, experiment);
     choose_steps(s);
     return s;
@@ -146,13 +170,13 @@ PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment,
 
 double speed_of_rest(const PileSetup& s) { return 1e-3 * std::sqrt(s.gravity * s.d); }
 
-void choose_feed(PileSetup& s, const cases::Grain& sizes, std::uint64_t seed) {
+void choose_feed(PileSetup& s, const cases::Grain& sizes, std::uint64_t seed, double size_spread) {
     const dem_min::RandomStream places{seed, feeding_places}, diameters{seed, grain_sizes};
     const auto count = static_cast<std::size_t>(s.conditions.grains);
     s.feed_time.resize(count), s.feed_x.resize(count), s.feed_y.resize(count),
         s.radius.resize(count), s.materials.of_grain.resize(count);
     for (std::size_t k = 0; k < count; ++k) {
-        const Drawn drawn = draw(sizes, diameters.uniform(k));
+        const Drawn drawn = draw(sizes, size_spread, diameters.uniform(k));
         s.radius[k] = 0.5 * drawn.diameter;
         s.materials.of_grain[k] = drawn.material;
         const double room = std::max(0.0, 0.5 * s.conditions.feed_diameter - s.radius[k]);
