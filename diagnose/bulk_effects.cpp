@@ -38,38 +38,68 @@ Unknown log_range(const std::string& name, const std::string& unit, double low, 
             .start = std::sqrt(low * high)};
 }
 
+using Unknowns = std::vector<Unknown>;
+
+// Somebody has looked at the base: level to 3.4 deg, 15 deg at most. Any azimuth.
+Unknowns tilt() {
+    constexpr double most = 0.26;  // rad
+    Unknown angle{.name = "tilt_angle",
+                  .unit = "rad",
+                  .key = "tilt_angle",
+                  .prior = Prior::gaussian,
+                  .low = -most,
+                  .high = most,
+                  .mean = 0.0,
+                  .deviation = 0.06};
+    Unknown azimuth{.name = "tilt_azimuth",
+                    .unit = "rad",
+                    .key = "tilt_azimuth",
+                    .low = 0.0,
+                    .high = 2.0 * pi,
+                    .start = 1.0,
+                    .turns = true};
+    return {angle, azimuth};
+}
+
+enum class Needs { nothing, walls, one_size, fluid };
+
 struct Row {
     std::string effect;
-    bool at_walls;  // needs a plate
-    std::function<Unknown(const Scales&)> strength;
-    std::function<double(const Scales&)> knee;
+    Needs needs;
+    std::function<Unknowns(const Scales&)> unknowns;  // the first sets the strength
+    std::function<double(const Scales&)> knee;        // of the strength
     std::string beside{};
+    bool two_sided = false;
 };
 
 // Strengths end where the heap no longer changes, or is none; knees lie where it begins to change.
 const std::vector<Row>& rows() {
+    using S = const Scales&;
+    using U = Unknowns;
     static const std::vector<Row> table{
-        {"adhesion", false,
-         [](const Scales& s) {
-             return log_range("work_of_adhesion", "J/m^2", s.work(0.03, s.d / 4.0),
-                              s.work(100.0, s.d / 4.0));
+        {"adhesion", Needs::nothing,
+         [](S s) {
+             return U{log_range("work_of_adhesion", "J/m^2", s.work(0.03, s.d / 4.0),
+                                s.work(100.0, s.d / 4.0))};
          },
-         [](const Scales& s) { return s.work(1.0, s.d / 4.0); }},
-        {"rolling_resistance", false,
-         [](const Scales&) { return log_range("rolling_friction", "1", 1e-3, 0.5); },
-         [](const Scales&) { return 0.03; }},
-        {"polydispersity", false,
-         [](const Scales&) { return log_range("size_spread", "1", 0.02, 0.4); },
-         [](const Scales&) { return 0.15; }},
-        {"wall_friction", true,
-         [](const Scales&) { return log_range("wall_sliding_friction", "1", 0.02, 1.5); },
-         [](const Scales&) { return 0.1; }, "sliding_friction"},
-        {"wall_adhesion", true,
-         [](const Scales& s) {
-             return log_range("wall_work_of_adhesion", "J/m^2", s.work(0.03, s.d / 2.0),
-                              s.work(100.0, s.d / 2.0));
+         [](S s) { return s.work(1.0, s.d / 4.0); }},
+        {"rolling_resistance", Needs::nothing,
+         [](S) { return U{log_range("rolling_friction", "1", 1e-3, 0.5)}; },
+         [](S) { return 0.03; }},
+        {"polydispersity", Needs::one_size,
+         [](S) { return U{log_range("size_spread", "1", 0.02, 0.4)}; }, [](S) { return 0.15; }},
+        {"wall_friction", Needs::walls,
+         [](S) { return U{log_range("wall_sliding_friction", "1", 0.02, 1.5)}; },
+         [](S) { return 0.1; }, "sliding_friction"},
+        {"wall_adhesion", Needs::walls,
+         [](S s) {
+             return U{log_range("wall_work_of_adhesion", "J/m^2", s.work(0.03, s.d / 2.0),
+                                s.work(100.0, s.d / 2.0))};
          },
-         [](const Scales& s) { return s.work(1.0, s.d / 2.0); }},
+         [](S s) { return s.work(1.0, s.d / 2.0); }},
+        {"tilt", Needs::nothing, [](S) { return tilt(); }, [](S) { return 0.3; }, "", true},
+        {"air_drag", Needs::fluid, [](S) { return U{}; }, [](S) { return 1.0; }},
+        {"buoyancy", Needs::fluid, [](S) { return U{}; }, [](S) { return 1.0; }},
     };
     return table;
 }
@@ -79,12 +109,18 @@ bool has_walls(const cases::Experiment& e) {
            e.conditions.has("mesh");
 }
 
+bool has(Needs needs, const cases::Experiment& e) {
+    if (needs == Needs::walls) return has_walls(e);
+    if (needs == Needs::one_size) return e.grain.sizes.empty() && e.grain.size_distribution.empty();
+    return needs != Needs::fluid || e.surroundings.fluid_density.value() > 0.0;
+}
+
 // Whether the core has the law.
 bool runs(const cases::Case& c, const cases::Experiment& e, const std::string& effect,
-          const Unknown& strength) {
+          const Unknowns& unknowns) {
     rigs::World world = rigs::world_of(c, e);
     world.physics.insert(effect);
-    world.parameters[strength.key] = strength.start;
+    for (const Unknown& u : unknowns) world.parameters[u.key] = u.start;
     cases::Experiment few = e;  // of a base that is filled until it spills, too
     for (auto& [key, value] : few.conditions.members)
         if (key == "grains") value.kind = cases::Value::Kind::number, value.written_number = 1.0;
@@ -109,7 +145,9 @@ double coordinate(const Axis& a, const rigs::World& w) {
     const bool there = a.effect.empty() || w.physics.contains(a.effect);
     const double value = parameter(w, a.parameter);
     double x = -1.0;
-    if (!a.beside.empty())
+    if (a.parameter.empty())
+        x = there ? 1.0 : -1.0;
+    else if (!a.beside.empty())
         x = there ? (stretched(a, value) - stretched(a, parameter(w, a.beside))) /
                         stretched(a, a.high)
                   : 0.0;
@@ -131,15 +169,20 @@ std::vector<BulkEffect> bulk_effects(const cases::Case& c, const cases::Experime
     std::vector<BulkEffect> list;
     const Scales s = scales_of(e);
     for (const Row& row : rows()) {
-        const Unknown strength = row.strength(s);
-        if (c.model.includes(row.effect) || (row.at_walls && !has_walls(e)) ||
-            c.model.find(strength.key) != nullptr || !runs(c, e, row.effect, strength))
+        const Unknowns unknowns = row.unknowns(s);
+        const bool stated = std::any_of(unknowns.begin(), unknowns.end(), [&](const Unknown& u) {
+            return c.model.find(u.key) != nullptr;
+        });
+        if (c.model.includes(row.effect) || stated || !has(row.needs, e) ||
+            !runs(c, e, row.effect, unknowns))
             continue;
-        list.push_back({.effect = row.effect,
-                        .unknowns = {strength},
-                        .two_sided = false,
-                        .axes = {{strength.key, row.effect, strength.low, strength.high,
-                                  row.knee(s), row.beside}}});
+        BulkEffect effect{row.effect, unknowns, row.two_sided, {}};
+        if (unknowns.empty())
+            effect.axes.push_back({"", row.effect, 0.0, 1.0, row.knee(s)});
+        else  // azimuths are turned to, and need no axis
+            effect.axes.push_back({unknowns[0].key, row.effect, std::max(0.0, unknowns[0].low),
+                                   unknowns[0].high, row.knee(s), row.beside});
+        list.push_back(std::move(effect));
     }
     return list;
 }

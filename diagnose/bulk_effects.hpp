@@ -15,8 +15,9 @@ namespace diagnose {
 
 // One coordinate of an emulator: a parameter of the world, of the user's model or of an effect that may be there.
 struct Axis {
-    std::string parameter, effect;  // effect empty: of the user's model
-    double low, high;               // SI: the values that are run
+    // effect empty: of the user's model. parameter empty: an effect without one, there or not.
+    std::string parameter, effect;
+    double low, high;  // SI: the values that are run
     // Of an effect the coordinate is log(1 + value/knee): in proportion below the knee, in decades above.
     double knee = 0.0;
     std::string beside{};  // that of another parameter: log((knee + value)/(knee + the other's))
@@ -34,7 +35,7 @@ struct BulkEffect {
     std::vector<Axis> axes{};
 };
 
-// Those that this pile's core has a law for, that can act there and that are not in the model. Ranges: docs/diagnose-piles.md.
+// Those that the core has a law for, that can act in this pile and that are not in the model. Ranges: docs/diagnose-piles.md.
 std::vector<BulkEffect> bulk_effects(const cases::Case&, const cases::Experiment&);
 
 // The free parameters of the model that act in this pile.

@@ -276,7 +276,10 @@ std::vector<Term> catalogue(const Problem& p) {
             return std::any_of(r.channels.begin(), r.channels.end(),
                                [](const Channel& c) { return !c.own_run_off.empty(); });
         });
-    if (own_run_differs || (p.world.numerics && is_numerical(*p.world.numerics)))
+    // Heaps are poured by steps of our own, whatever the user's were.
+    const bool stepped = std::any_of(p.records.begin(), p.records.end(),
+                                     [](const Record& r) { return r.covariance.size() == 0; });
+    if (own_run_differs || (stepped && p.world.numerics && is_numerical(*p.world.numerics)))
         list.push_back({.effect = "numerical_artefact", .unknowns = {}});
     return list;
 }

@@ -75,23 +75,46 @@ VectorXd PileEmulator::mean(const VectorXd& x) const {
     return m;
 }
 
-MatrixXd PileEmulator::covariance(const VectorXd& like) const {
-    std::vector<std::pair<double, Index>> nearest;
+std::vector<Index> PileEmulator::nearest(const VectorXd& like) const {
+    std::vector<std::pair<double, Index>> sorted;
     for (Index r = 0; r < y_.rows(); ++r) {
         double sum = 0.0;
         for (const Index k : numbers_.moved)
             sum += std::pow((y_(r, k) - like[k]) / hyper_[static_cast<std::size_t>(k)].noise, 2);
-        nearest.push_back({sum, r});
+        sorted.push_back({sum, r});
     }
-    std::stable_sort(nearest.begin(), nearest.end(),
+    std::stable_sort(sorted.begin(), sorted.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
-    const Index most = std::min(y_.rows(), std::max(fewest_neighbours, y_.rows() / 3));
+    sorted.resize(
+        static_cast<std::size_t>(std::min(y_.rows(), std::max(fewest_neighbours, y_.rows() / 2))));
+    std::vector<Index> runs;
+    for (const auto& [far, r] : sorted) runs.push_back(r);
+    return runs;
+}
+
+double PileEmulator::share_of_error(const VectorXd& like) const {
+    const std::vector<Index> runs = nearest(like);
+    double sum = 0.0, count = 0.0;
+    for (const Index k : numbers_.moved) {
+        const double noise = hyper_[static_cast<std::size_t>(k)].noise;
+        const VectorXd variance =
+            processes_[static_cast<std::size_t>(process_of_[static_cast<std::size_t>(k)])]
+                .at(x_(runs, Eigen::all))
+                .variance;
+        for (const double v : variance) sum += v / (v + noise * noise), count += 1.0;
+    }
+    return count > 0.0 ? sum / count : 0.0;
+}
+
+MatrixXd PileEmulator::covariance(const VectorXd& like) const {
+    const std::vector<Index> runs = nearest(like);
+    const auto most = static_cast<Index>(runs.size());
     const auto residuals = [&](const std::vector<Index>& numbers) {
         MatrixXd part(most, static_cast<Index>(numbers.size()));
         for (Index r = 0; r < most; ++r)
             for (std::size_t k = 0; k < numbers.size(); ++k)
                 part(r, static_cast<Index>(k)) =
-                    left_out_(nearest[static_cast<std::size_t>(r)].second, numbers[k]);
+                    left_out_(runs[static_cast<std::size_t>(r)], numbers[k]);
         return part;
     };
     MatrixXd whole = MatrixXd::Zero(y_.cols(), y_.cols());

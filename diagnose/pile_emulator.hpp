@@ -30,10 +30,14 @@ class PileEmulator {
     // Covariance of a run about the mean, scatter of seeds and error of the emulator in one: of the left-out residuals of the runs
     // whose heaps are most like this one. Widened for the number of runs that it is known from (Hotelling).
     Eigen::MatrixXd covariance(const Eigen::VectorXd& like) const;
+    // Share of that variance which is the emulator's own error, the same for all heaps of one world.
+    double share_of_error(const Eigen::VectorXd& like) const;
     const std::vector<statistics::Hyperparameters>& hyperparameters() const { return hyper_; }
     Eigen::Index runs() const { return x_.rows(); }
 
   private:
+    std::vector<Eigen::Index> nearest(const Eigen::VectorXd& like) const;  // runs
+
     Eigen::MatrixXd x_, y_, left_out_;
     Numbers numbers_;
     std::vector<statistics::Hyperparameters> hyper_;

@@ -16,8 +16,9 @@ using Eigen::MatrixXd;
 
 namespace {
 
-constexpr double soft = 1e5;      // E/(rho g d) from which overlaps hardly show in a heap
-constexpr double may_move = 0.5;  // of the scatter between heaps
+constexpr double soft = 1e5;  // E/(rho g d) from which overlaps hardly show in a heap
+constexpr double worth_softening = 0.5;
+constexpr double may_move = 0.5;                  // of the scatter between heaps
 constexpr std::uint64_t first_seed = 0x70696c65;  // far from those that people choose
 constexpr std::uint64_t of_check = 2'000'000;
 
@@ -36,7 +37,8 @@ double softest(const cases::Case& c, const cases::Experiment& e) {
     const double d = e.grain.diameter.value.value(), rho = e.grain.density.value.value();
     const double weight = rho * e.surroundings.gravity.value() * d;
     if (!c.model.pairs.empty() || !(weight > 0.0)) return 1.0;
-    return std::min(1.0, soft * weight / e.grain.youngs_modulus.value.value());
+    const double factor = soft * weight / e.grain.youngs_modulus.value.value();
+    return factor < worth_softening ? factor : 1.0;
 }
 
 rigs::Heap poured_here(const rigs::PileSetup& setup) {
@@ -66,6 +68,7 @@ std::vector<rigs::World> first_design(const Apparatus& f, const rigs::World& sta
         for (std::size_t n = 0; n < there[k].size(); ++n) {
             const Axis& a = *there[k][n];
             w.physics.insert(a.effect);
+            if (a.parameter.empty()) continue;
             w.parameters[a.parameter] =
                 value_at(a, 2.0 * evenly(k, free.size() + n, dimensions) - 1.0,
                          a.beside.empty() ? 0.0 : w.parameters[a.beside]);
@@ -73,6 +76,12 @@ std::vector<rigs::World> first_design(const Apparatus& f, const rigs::World& sta
         worlds.push_back(std::move(w));
     }
     return worlds;
+}
+
+// A grain that swings on a sticky base never comes to rest, and the heap is long there.
+rigs::PileSetup patient(rigs::PileSetup s) {
+    s.longest = std::min(s.longest, s.feed_time.back() + 6.0 * s.rest_duration);
+    return s;
 }
 
 }  // namespace
@@ -127,15 +136,15 @@ std::vector<rigs::Heap> Pourer::pour(const cases::Experiment& e, const rigs::Wor
     std::vector<rigs::PileSetup> setups;
     for (int k = 0; k < heaps; ++k)
         setups.push_back(
-            rigs::pile_setup(there, e, first_seed + from + static_cast<std::uint64_t>(k)));
+            patient(rigs::pile_setup(there, e, first_seed + from + static_cast<std::uint64_t>(k))));
     return pour(setups);
 }
 
 void Pourer::pour_into(Apparatus& a, const std::vector<rigs::World>& worlds) const {
     std::vector<rigs::PileSetup> setups;
     for (const rigs::World& w : worlds)
-        setups.push_back(rigs::pile_setup(in_world(given_, w), a.experiment,
-                                          first_seed + a.worlds.size() + setups.size()));
+        setups.push_back(patient(rigs::pile_setup(in_world(given_, w), a.experiment,
+                                                  first_seed + a.worlds.size() + setups.size())));
     const std::vector<rigs::Heap> heaps = pour(setups);
     a.worlds.insert(a.worlds.end(), worlds.begin(), worlds.end());
     a.heaps.insert(a.heaps.end(), heaps.begin(), heaps.end());
@@ -163,9 +172,9 @@ double Pourer::moved_by(const cases::Experiment& e, double softening) const {
     // Less what two means of so many heaps differ by anyway.
     const double square =
         ((stiff_mean - soft_mean).cwiseAbs2().array() / variance.array() - 2.0 / heaps).mean();
-    const double seen = 1.0 - std::pow(stiffer, -2.0 / 3.0),
+    const double shown = 1.0 - std::pow(stiffer, -2.0 / 3.0),
                  all = 1.0 - std::pow(softening, 2.0 / 3.0);
-    return std::sqrt(std::max(0.0, square)) * all / seen;
+    return std::sqrt(std::max(0.0, square)) * all / shown;
 }
 
 Apparatus Pourer::apparatus(const cases::Experiment& e) const {

@@ -24,6 +24,10 @@ constexpr double well_spread =
 
 }  // namespace
 
+bool is_profile(const cases::Experiment& e) {
+    return e.rig == "pile" && e.recording && e.recording->has("r");
+}
+
 Scan scan_of(const cases::Recording& recording) {
     Scan scan;
     if (!recording.has("r") || !recording.has("z") || !recording.has("azimuth")) return scan;
@@ -48,7 +52,7 @@ const std::array<std::string, 4>& Rings::channels() {
 }
 
 Rings::Rings(const Scan& s, double base_radius, double d, double noise) : noise_(noise) {
-    const double width = std::max(1.5 * d, base_radius / 8.0);
+    const double width = std::max(d, base_radius / 6.0);
     const auto count = static_cast<std::size_t>(std::max(1.0, std::floor(base_radius / width)));
     std::vector<Ring> all(count);
     for (std::size_t k = 0; k < s.r.size(); ++k) {

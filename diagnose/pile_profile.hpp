@@ -19,12 +19,14 @@ struct Scan {
     std::vector<double> azimuth, r, z;  // rad, m, m; finite
 };
 
+bool is_profile(const cases::Experiment&);  // a pile with a scan
+
 // Of several instants `t` the last. Empty where the recording is no profile.
 Scan scan_of(const cases::Recording&);
 
 class Rings {
   public:
-    // Rings 1.5 d wide or R/8, whichever is wider; those with 3 spots or more. `noise`: of z, m; where it is not known (0) the
+    // Rings d wide or R/6, whichever is wider; those with 3 spots or more. `noise`: of z, m; where it is not known (0) the
     // roughness is left out, which it is part of.
     Rings(const Scan& spots, double base_radius, double d, double noise);
 

@@ -5,6 +5,7 @@
 #include "diagnose/bulk_effects.hpp"
 #include "diagnose/catalogue.hpp"
 #include "diagnose/hypotheses.hpp"
+#include "diagnose/next_experiment.hpp"
 #include "diagnose/words.hpp"
 
 #include <Eigen/Cholesky>
@@ -24,7 +25,8 @@ namespace {
 constexpr int rounds = 2;
 constexpr std::size_t hypotheses_asked = 4, heaps_each = 3;
 constexpr double worth_asking = 12.0;  // log evidence behind the best
-constexpr int fresh_heaps = 6;
+constexpr int fresh_heaps = 8;
+constexpr double told_apart = 9.0;      // chi squared: 3 sigma
 constexpr double contradicted = 0.003;  // p-value
 
 // Worlds about a fit, spread as its covariance says; for every pile that an emulator knows.
@@ -51,6 +53,21 @@ void ask(std::vector<Piles::Asked>& list, const Problem& p, const Candidate& c, 
             to_theta(c.h.unknowns, to_u(c.h.unknowns, to_theta(c.h.unknowns, there)));
         for (const Record* r : asked) list.push_back({r->experiment, world_at(p, c.h, theta, *r)});
     }
+}
+
+// Fresh heaps of the runner-up are as near to the recordings as those of the found model.
+void make_ambiguous(Judge& j, const Candidate& found, const Group& other) {
+    Verdict& v = j.verdict;
+    v.answer = Answer::ambiguous;
+    for (Effect& e : v.effects) e.named = false;
+    std::vector<std::string> names;
+    for (const Term* t : found.h.terms) names.push_back(t->effect);
+    v.alike = {names, other.effects};
+    v.next_experiment =
+        next_experiment(j.problem, j.noise, {&found, other.best}, j.settings.threads);
+    v.warnings.push_back(fmt::format(
+        "Fresh heaps with {} are as near to the recordings as those with {}: no name is given.",
+        plain_name(other.best->name()), plain_name(found.name())));
 }
 
 }  // namespace
@@ -86,38 +103,51 @@ void ask_where_it_matters(const Piles& piles, const cases::Case& c, const Settin
 }
 
 bool confirm_by_fresh_heaps(Judge& j, const Candidate& found) {
-    const Record* pile = nullptr;
-    for (const Record& r : j.problem.records)
-        if (pile == nullptr && r.covariance.size() > 0) pile = &r;
-    if (pile == nullptr) return true;
+    const Problem& p = j.problem;
+    std::vector<const Record*> piles;  // of one apparatus
+    for (const Record& r : p.records)
+        if (r.covariance.size() > 0 &&
+            (piles.empty() || p.piles->same_apparatus(*piles.front()->experiment, *r.experiment)))
+            piles.push_back(&r);
+    if (piles.empty()) return true;
     const auto check = [&](const Candidate& c) {
-        const Piles::Check of = j.problem.piles->confirmed(
-            *pile, world_at(j.problem, c.h, c.fit.theta, *pile), fresh_heaps);
+        const Piles::Check of =
+            p.piles->confirmed(piles, world_at(p, c.h, c.fit.theta, *piles.front()), fresh_heaps);
         j.verdict.warnings.push_back(fmt::format(
             "{} fresh heaps with {}: their mean is what the emulator says with p = {:.2g}, {} is "
             "one of them with p = {:.2g}.",
-            of.heaps, plain_name(c.name()), of.emulator, pile->experiment->id, of.recording));
+            of.heaps, plain_name(c.name()), of.emulator, piles.front()->experiment->id,
+            of.recording));
         return of;
     };
     j.report(0.93, "fresh heaps");
-    const bool measured = std::any_of(found.h.terms.begin(), found.h.terms.end(),
-                                      [](const Term* t) { return is_measurement(t->effect); });
+    // What an instrument did is in no heap.
+    const auto measured = [](const Candidate& c) {
+        return std::any_of(c.h.terms.begin(), c.h.terms.end(),
+                           [](const Term* t) { return is_measurement(t->effect); });
+    };
     const Piles::Check of = check(found);
-    for (const Group& g : groups_of(j))
-        if (g.best->h.terms != found.h.terms && g.effects != std::vector<std::string>{"unknown"}) {
-            check(*g.best);
-            break;
-        }
-    const bool explains =
-        j.verdict.answer != Answer::explained || measured || of.recording >= contradicted;
-    return of.emulator >= contradicted && explains;
+    bool foreseen = of.emulator >= contradicted;
+    const bool named = j.verdict.answer == Answer::explained && !measured(found);
+    for (const Group& g : groups_of(j)) {
+        if (g.best->h.terms == found.h.terms || measured(*g.best)) continue;
+        const Piles::Check other = check(*g.best);
+        foreseen = foreseen && other.emulator >= contradicted;
+        if (named && other.chi_squared - of.chi_squared < told_apart) make_ambiguous(j, found, g);
+        break;
+    }
+    return foreseen && (!named || of.recording >= contradicted);
 }
 
 void learn_about(const Judge& j, const Candidate& found) {
     std::mt19937_64 random(j.settings.seed + 1);
     std::vector<Piles::Asked> list;
     ask(list, j.problem, found, 2 * heaps_each, random);
-    ask(list, j.problem, j.base, 2 * heaps_each, random);
+    for (const Group& g : groups_of(j)) {
+        if (g.best->h.terms == found.h.terms) continue;
+        ask(list, j.problem, *g.best, 2 * heaps_each, random);
+        break;
+    }
     j.problem.piles->learn(list, true);
 }
 

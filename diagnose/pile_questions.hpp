@@ -11,11 +11,12 @@ namespace diagnose {
 // Two rounds: the user's model and every single effect are fitted by the emulator, and heaps poured where the likeliest of them end.
 void ask_where_it_matters(const Piles&, const cases::Case&, const Settings&);
 
-// Fresh heaps of the found model and of the runner-up beside the first recorded pile; a warning tells how they compare. False where
-// those of the found model are not what the emulator said, or where the recording is none of them.
+// Fresh heaps of the found model and of the runner-up beside the recordings of the first pile; a warning tells how they compare.
+// Where the runner-up's are as near, the verdict becomes ambiguous. False where either are not what the emulator said, or where
+// the recording is none of those of a named model.
 bool confirm_by_fresh_heaps(Judge&, const Candidate& found);
 
-// More heaps where the found model and the user's own end.
+// More heaps where the found model and the runner-up end.
 void learn_about(const Judge&, const Candidate& found);
 
 // Where fresh heaps contradict to the end nothing is named.

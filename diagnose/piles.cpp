@@ -206,9 +206,7 @@ void Piles::Inside::add_family(const cases::Experiment& e) {
 
 Piles::Piles(const cases::Case& c, const Settings& s) : in_(std::make_unique<Inside>(c, s)) {
     for (const cases::Experiment& e : c.experiments)
-        if (e.rig == "pile" && !e.held_out && e.recording && e.recording->has("r") &&
-            !in_->family_of(e))
-            in_->add_family(e);
+        if (!e.held_out && is_profile(e) && !in_->family_of(e)) in_->add_family(e);
 }
 
 Piles::~Piles() = default;
@@ -239,7 +237,13 @@ Record Piles::record(const cases::Experiment& e) const {
     const auto n = static_cast<Index>(v.rings.count());
     MatrixXd about;
     if (v.emulator) {
-        about = v.emulator->covariance(recorded);
+        // The emulator's error is one for all recordings of the apparatus: each is given it as often as there are recordings.
+        double recordings = 0.0;
+        for (const cases::Experiment& other : in->given.experiments)
+            if (!other.held_out && is_profile(other) && in->family_of(other) == v.family)
+                recordings += 1.0;
+        about = v.emulator->covariance(recorded) *
+                (1.0 + (std::max(1.0, recordings) - 1.0) * v.emulator->share_of_error(recorded));
     } else {
         const rigs::World stated = rigs::world_of(in->given, e);
         MatrixXd y = in->fresh(v, stated, heaps_of_other);
@@ -314,22 +318,33 @@ double Piles::learn(const std::vector<Asked>& all, bool last) const {
     return off;
 }
 
-Piles::Check Piles::confirmed(const Record& r, const rigs::World& w, int heaps) const {
-    Inside::View& v = in_->view_of(*r.experiment);
-    const VectorXd recorded = v.rings.reduced(scan_of(*r.experiment->recording).z, true);
-    const VectorXd said = in_->foreseen(v, w);
-    const VectorXd mean = in_->fresh(v, w, heaps).colwise().mean();
-    std::vector<Index> all = v.numbers.moved;
-    all.insert(all.end(), v.numbers.lean.begin(), v.numbers.lean.end());
-    all.insert(all.end(), v.numbers.across.begin(), v.numbers.across.end());
-    const MatrixXd one = v.emulator->covariance(recorded);
+Piles::Check Piles::confirmed(const std::vector<const Record*>& records, const rigs::World& w,
+                              int heaps) const {
     const double many = static_cast<double>(heaps);
-    // Of the emulator's own error nothing is known here beyond what is in `one`: a tenth of it is left to it.
-    const double off = distance(mean - said, one * (1.0 / many + 0.1), v.numbers.moved);
-    const double away =
-        distance(recorded - mean, one * (1.0 + 1.0 / many) + v.rings.instrument(), all);
-    return {heaps, upper_tail(off, static_cast<double>(v.numbers.moved.size())),
-            upper_tail(away, static_cast<double>(all.size()))};
+    const cases::Experiment& first = *records.front()->experiment;
+    const std::vector<rigs::Heap> poured =
+        in_->pourer.pour(in_->view_of(first).family->experiment, w, fresh_seeds, heaps);
+    Check check{heaps, 1.0, 1.0, 0.0};
+    for (const Record* r : records) {
+        Inside::View& v = in_->view_of(*r->experiment);
+        const VectorXd recorded = v.rings.reduced(scan_of(*r->experiment->recording).z, true);
+        VectorXd mean = VectorXd::Zero(recorded.size());
+        for (const rigs::Heap& heap : poured) mean += in_->numbers_of(v, heap) / many;
+        const MatrixXd one = v.emulator->covariance(recorded);
+        const double own = v.emulator->share_of_error(recorded);
+        std::vector<Index> all = v.numbers.moved;
+        all.insert(all.end(), v.numbers.lean.begin(), v.numbers.lean.end());
+        all.insert(all.end(), v.numbers.across.begin(), v.numbers.across.end());
+        const double away =
+            distance(recorded - mean, one * (1.0 + 1.0 / many) + v.rings.instrument(), all);
+        check.chi_squared += away;
+        if (r != records.front()) continue;
+        const double off =
+            distance(mean - in_->foreseen(v, w), one * ((1.0 - own) / many + own), v.numbers.moved);
+        check.emulator = upper_tail(off, static_cast<double>(v.numbers.moved.size()));
+        check.recording = upper_tail(away, static_cast<double>(all.size()));
+    }
+    return check;
 }
 
 int Piles::heaps_poured() const { return in_->pourer.poured(); }
@@ -362,9 +377,8 @@ std::vector<std::string> Piles::words() const {
 }
 
 bool has_piles(const cases::Case& c) {
-    return std::any_of(c.experiments.begin(), c.experiments.end(), [](const auto& e) {
-        return e.rig == "pile" && !e.held_out && e.recording && e.recording->has("r");
-    });
+    return std::any_of(c.experiments.begin(), c.experiments.end(),
+                       [](const auto& e) { return !e.held_out && is_profile(e); });
 }
 
 }  // namespace diagnose

@@ -65,7 +65,7 @@ TEST_CASE("the emulator's mean and the scatter about it are those of the runs",
         sd);  // a fit of some ten numbers to 160 runs: sd sqrt(10/160) = sd/4, up to four deviations of it
     const VectorXd like = Runs::truth(0.2, 0.1);
     const MatrixXd c = e.covariance(like);
-    // From 53 runs: a variance is good to sqrt(2/53) = 19 %, wider by the emulator's error and Hotelling's factor.
+    // From 80 runs: a variance is good to sqrt(2/80) = 16 %, wider by the emulator's error and Hotelling's factor.
     CHECK(std::sqrt(c(0, 0)) == Approx(sd).epsilon(0.35));
     CHECK(std::sqrt(c(1, 1)) == Approx(sd).epsilon(0.35));
     CHECK(c(0, 1) / std::sqrt(c(0, 0) * c(1, 1)) > 0.6);
@@ -77,7 +77,7 @@ TEST_CASE("the emulator's mean and the scatter about it are those of the runs",
 // The judge divides by this covariance: over many sets of runs the squared distance of a further run has mean 1 per number.
 TEST_CASE("runs not seen are as far off as the covariance says", "[diagnose][pile_emulator]") {
     double sum = 0.0, count = 0.0;
-    for (unsigned seed = 0; seed < 12; ++seed) {
+    for (unsigned seed = 0; seed < 6; ++seed) {
         const Runs runs(80, 100 + seed), further(40, 500 + seed);
         const PileEmulator e(runs.x, runs.y, numbers, {}, 1);
         for (Index k = 0; k < 40; ++k) {
@@ -86,6 +86,6 @@ TEST_CASE("runs not seen are as far off as the covariance says", "[diagnose][pil
             sum += off.dot(c.llt().solve(off)), count += 4.0;
         }
     }
-    // 1920 squares, and twelve covariances good to some 10 % each.
-    CHECK(sum / count == Approx(1.0).margin(0.15));
+    // 960 squares, and six covariances good to some 15 % each.
+    CHECK(sum / count == Approx(1.0).margin(0.2));
 }

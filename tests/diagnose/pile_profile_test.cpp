@@ -15,7 +15,7 @@ using diagnose::Scan;
 namespace {
 
 constexpr double radius = 0.02,
-                 d = 0.002;  // m: eight rings would be 2.5 mm wide, six of 1.5 d are 3 mm
+                 d = 0.002;  // m: six rings of R/6
 
 Scan scan(int azimuths, int spots, const std::function<double(double, double)>& z) {
     Scan s;

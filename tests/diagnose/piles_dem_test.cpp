@@ -31,7 +31,7 @@ cases::Value text(const std::string& key, const std::string& value) {
     return {.where = key, .kind = cases::Value::Kind::text, .written_text = value};
 }
 
-// Grains so soft (E/(rho g d) = 2e4) that steps are long: both sides have them.
+// Grains so soft (E/(rho g d) = 4e3) that steps are long: both sides have them.
 cases::Case sixty(double weights, std::uint64_t seed) {
     cases::Case c;
     c.path = "sixty";
@@ -39,9 +39,9 @@ cases::Case sixty(double weights, std::uint64_t seed) {
     e.rig = "pile";
     e.grain.diameter.value = scaling::Length::from_value(d);
     e.grain.density.value = scaling::Density::from_value(2500.0);
-    e.grain.youngs_modulus.value = scaling::Pressure::from_value(1e6);
+    e.grain.youngs_modulus.value = scaling::Pressure::from_value(2e5);
     e.grain.poisson_ratio.value = scaling::Dimensionless(0.25);
-    e.plate = {scaling::Pressure::from_value(1e6), scaling::Dimensionless(0.25)};
+    e.plate = {scaling::Pressure::from_value(2e5), scaling::Dimensionless(0.25)};
     e.surroundings.gravity = scaling::Acceleration::from_value(9.81);
     e.conditions.members = {{"base", text("base", "glued_grains")},
                             {"base_diameter", text("base_diameter", "14 mm")},
