@@ -4,6 +4,7 @@
 #include "app/exit_code.hpp"
 #include "app/interrupt.hpp"
 #include "app/lammps_base.hpp"
+#include "app/poured_heaps.hpp"
 #include "app/predictions.hpp"
 #include "app/progress.hpp"
 #include "cases/read_case.hpp"
@@ -26,7 +27,7 @@ namespace {
 
 struct DiagnoseOptions {
     CommonOptions common;
-    std::string path, predict, engine = "dem_min", out = "out";
+    std::string path, predict, engine = "dem_min", out = "out", heaps = "out/similitude-heaps";
     double alpha = diagnose::Settings{}.alpha;
 };
 
@@ -57,12 +58,28 @@ std::optional<diagnose::Verdict> judged(const cases::Case& c, const DiagnoseOpti
     Progress progress(!o.common.quiet);
     diagnose::Settings settings{
         .seed = o.common.seed, .threads = threads_of(o.common), .alpha = o.alpha};
-    settings.progress = [&progress](double share, const std::string& what) {
-        progress.show(share, 1.0, what);
+    // Heaps take most of the time where there are any: their part of the bar.
+    double from = 0.0;
+    settings.progress = [&](double share, const std::string& what) {
+        progress.show(from + (1.0 - from) * share, 1.0, what);
         return !interrupt_flag();
     };
+    PouredHeaps heaps(o.heaps, settings.threads, [&](std::size_t done, std::size_t of) {
+        constexpr double first = 0.75;  // of the bar, for the first heaps asked for
+        const double share = static_cast<double>(done) / static_cast<double>(of);
+        progress.show(from == 0.0 ? first * share : from, 1.0,
+                      fmt::format("heaps, {} of {}", done, of));
+        if (done == of) from = first;
+        return !interrupt_flag();
+    });
+    settings.pour = [&heaps](const std::vector<rigs::PileSetup>& setups) { return heaps(setups); };
     try {
-        return judge(c, settings, cases::open_held_out);
+        diagnose::Verdict v = judge(c, settings, cases::open_held_out);
+        if (heaps.poured() + heaps.recalled() > 0)
+            v.warnings.push_back(
+                fmt::format("Heaps: {} poured now, {:.0f} s of one core, {} found in {}.",
+                            heaps.poured(), heaps.seconds(), heaps.recalled(), o.heaps));
+        return v;
     } catch (const diagnose::Interrupted&) {
         return std::nullopt;
     }
@@ -121,6 +138,11 @@ Verb diagnose_verb(CLI::App& app, const std::string& command, const Judge& judge
                      "whose simulation is judged: lammps runs drops, inclines and impacts of the "
                      "case first, as if `simulated` held them")
         ->check(CLI::IsMember({"dem_min", "lammps"}))
+        ->capture_default_str();
+    verb->add_option("--heaps", options->heaps,
+                     "folder in which heaps poured for piles are remembered; cases of one powder "
+                     "and apparatus share them")
+        ->type_name("DIR")
         ->capture_default_str();
     verb->add_option("--out", options->out, "folder for LAMMPS' decks")
         ->type_name("DIR")

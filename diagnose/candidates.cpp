@@ -239,7 +239,8 @@ std::vector<Candidate> with_missing_force(const Problem& p, const Whitener& w,
     std::map<std::string, std::set<std::string>> rigs;
     double weight = 0.0;
     for (const Record& r : p.records) {
-        if (r.experiment->rig == "impact") continue;  // no force acts for long there
+        if (r.experiment->rig == "impact" || r.covariance.size() > 0)
+            continue;  // no one force acts for long there
         const double d = r.experiment->grain.diameter.value.value();
         weight =
             std::max(weight, r.experiment->grain.density.value.value() * 0.5236 * d * d * d * 9.81);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "diagnose/catalogue.hpp"
 
+#include "diagnose/piles.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -61,7 +63,8 @@ Sizes sizes_of(const Problem& p) {
         const cases::Experiment& e = *r.experiment;
         s.radius = std::max(s.radius, 0.5 * e.grain.diameter.value.value());
         s.rigs.insert(e.rig);
-        for (const Channel& c : r.channels) s.channels.insert(c.name);
+        for (const Channel& c : r.channels)
+            if (!c.name.starts_with("z_")) s.channels.insert(c.name);
         const double speed = e.rig == "pull_off" ? 0.0 : std::abs(stated(e, "speed", "m/s"));
         const double height = e.rig == "drop" ? stated(e, "height", "m") : 0.0;
         s.speed = std::max(
@@ -161,6 +164,7 @@ const std::vector<Entry>& entries() {
 
 bool can_act(const Problem& p, const std::string& effect) {
     return std::any_of(p.records.begin(), p.records.end(), [&](const Record& r) {
+        if (r.covariance.size() > 0) return false;  // of many grains: bulk_effects.hpp
         if (effect == "buoyancy" || effect == "air_drag")
             if (r.experiment->surroundings.fluid_density.value() <= 0.0) return false;
         if (effect == "air_drag" && r.experiment->surroundings.fluid_viscosity.value() <= 0.0)
@@ -206,6 +210,7 @@ Unknown instrument_factor(const std::string& name, double deviation) {
             .start = 1.0};
 }
 
+// `channels`: those of one instrument, commas between.
 Term scale_of(const std::string& channels) {
     Unknown u = instrument_factor("scale", channels == "force" ? 0.2 : 0.08);
     u.target = Target::scale, u.key = channels;
@@ -217,7 +222,10 @@ void add_measurement(std::vector<Term>& list, const Problem& p, const Sizes& s) 
         return r.ordinate == "displacement";
     });
     const bool camera = s.channels.contains("z");
-    if (camera) list.push_back(scale_of(s.channels.contains("x") ? "z,x" : "z"));
+    const char* heights = s.rigs.contains("pile")    ? "z,z_cos,z_sin,z_roughness"
+                          : s.channels.contains("x") ? "z,x"
+                                                     : "z";
+    if (camera) list.push_back(scale_of(heights));
     for (const std::string& c : s.channels) {
         if (!camera || (c != "z" && c != "x")) list.push_back(scale_of(c));
         if (over_drive) continue;  // the base line is refitted
@@ -256,13 +264,22 @@ std::vector<Term> catalogue(const Problem& p) {
                         .idle = e.idle,
                         .two_sided = e.two_sided});
     }
+    if (p.piles != nullptr)
+        for (const BulkEffect& e : p.piles->effects())
+            if (std::none_of(list.begin(), list.end(),
+                             [&](const Term& t) { return t.effect == e.effect; }))
+                list.push_back(
+                    {.effect = e.effect, .unknowns = e.unknowns, .two_sided = e.two_sided});
     add_measurement(list, p, s);
     const bool own_run_differs =
         std::any_of(p.records.begin(), p.records.end(), [](const Record& r) {
             return std::any_of(r.channels.begin(), r.channels.end(),
                                [](const Channel& c) { return !c.own_run_off.empty(); });
         });
-    if (own_run_differs || (p.world.numerics && is_numerical(*p.world.numerics)))
+    // Heaps are poured by steps of our own, whatever the user's were.
+    const bool stepped = std::any_of(p.records.begin(), p.records.end(),
+                                     [](const Record& r) { return r.covariance.size() == 0; });
+    if (own_run_differs || (stepped && p.world.numerics && is_numerical(*p.world.numerics)))
         list.push_back({.effect = "numerical_artefact", .unknowns = {}});
     return list;
 }

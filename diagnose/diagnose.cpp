@@ -5,6 +5,8 @@
 #include "diagnose/intervals.hpp"
 #include "diagnose/judge.hpp"
 #include "diagnose/own_run.hpp"
+#include "diagnose/pile_questions.hpp"
+#include "diagnose/piles.hpp"
 #include "diagnose/scores.hpp"
 #include "diagnose/words.hpp"
 #include "scaling/errors.hpp"
@@ -22,13 +24,6 @@ namespace {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-Candidate base_of(const Problem& p, const Whitener& w) {
-    Candidate c{.h = p.hypothesis({}), .fit = {}};
-    c.fit = fit_base(p, w, c.h);
-    deepen(p, w, c, nullptr);
-    return c;
-}
 
 // Why recordings cannot show left-out physics; empty where they can.
 std::string cannot_show(const Problem& p) {
@@ -101,27 +96,15 @@ std::vector<double> heavy_tails(const Candidate& c, const Whitener& w) {
     return z;
 }
 
-}  // namespace
-
-Verdict diagnose(const cases::Case& stated, const Settings& settings,
-                 const std::function<void(cases::Case&)>& open_held_out) {
-    std::string words_of_held_back;
-    const cases::Case given = held_back(stated, words_of_held_back);
-    Judge j(given, settings);
+// All up to the answer; returns the model that it stands for.
+const Candidate& judged(Judge& j, const std::string& words_of_held_back) {
     Verdict& v = j.verdict;
-    v.title = given.title, v.seed = settings.seed, v.p_value = 1.0;
-    if (const std::string why = cannot_show(j.problem); !why.empty()) {
-        v.answer = Answer::undecided;
-        v.warnings.push_back(why);
-        v.hypotheses.push_back({{}, 1.0});
-        v.summary = summary_of(v);
-        return v;
-    }
+    const Settings& settings = j.settings;
     j.report(0.02, "the user's model");
     j.terms = catalogue(j.problem);
     j.noise = first_guess(j.problem);
     j.whiten = std::make_unique<Whitener>(j.problem, j.noise);
-    j.base = base_of(j.problem, *j.whiten);
+    j.fit_base();
     v.warnings = words_of_own_runs(j.problem);
     if (!words_of_held_back.empty()) v.warnings.push_back(words_of_held_back);
     j.report(0.1, "single effects");
@@ -153,7 +136,47 @@ Verdict diagnose(const cases::Case& stated, const Settings& settings,
         }
     }
     j.report(0.8, "weighing");
-    const Candidate& chosen = decide(j);
+    return decide(j);
+}
+
+}  // namespace
+
+Verdict diagnose(const cases::Case& stated, const Settings& settings,
+                 const std::function<void(cases::Case&)>& open_held_out) {
+    std::string words_of_held_back;
+    const cases::Case given = held_back(stated, words_of_held_back);
+    if (only_angles(given)) return undecided_by_angles(given, settings);
+    std::unique_ptr<Piles> piles;
+    if (has_piles(given)) {
+        piles = std::make_unique<Piles>(given, settings);
+        ask_where_it_matters(*piles, given, settings);
+    }
+    auto judge = std::make_unique<Judge>(given, settings, piles.get());
+    judge->verdict.title = given.title, judge->verdict.seed = settings.seed;
+    judge->verdict.p_value = 1.0;
+    if (const std::string why = cannot_show(judge->problem); !why.empty()) {
+        Verdict& v = judge->verdict;
+        v.answer = Answer::undecided;
+        v.warnings.push_back(why);
+        v.hypotheses.push_back({{}, 1.0});
+        v.summary = summary_of(v);
+        return v;
+    }
+    const Candidate* found = &judged(*judge, words_of_held_back);
+    if (piles) {
+        // Where fresh heaps are not what the emulator said they are told to it, and all is judged once more.
+        if (!confirm_by_fresh_heaps(*judge, *found)) {
+            learn_about(*judge, *found);
+            judge = std::make_unique<Judge>(given, settings, piles.get());
+            judge->verdict.title = given.title, judge->verdict.seed = settings.seed;
+            found = &judged(*judge, words_of_held_back);
+            if (!confirm_by_fresh_heaps(*judge, *found)) withdraw_names(judge->verdict);
+        }
+        for (std::string& w : piles->words()) judge->verdict.warnings.push_back(std::move(w));
+    }
+    Judge& j = *judge;
+    Verdict& v = j.verdict;
+    const Candidate& chosen = *found;
 
     // What the winner says, for plots and figures.
     if (v.answer != Answer::consistent) {
@@ -191,7 +214,7 @@ Verdict diagnose(const cases::Case& stated, const Settings& settings,
     j.report(0.97, "what was held out");
     cases::Case opened = given;
     open_held_out(opened);
-    const Problem held = problem_of(opened, true);
+    const Problem held = problem_of(opened, true, piles.get());
     if (!held.records.empty()) {
         const Noise known = noise_like(held, j.problem, j.noise);
         const Candidate base = carried_over(held, j.base),

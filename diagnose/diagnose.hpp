@@ -4,10 +4,13 @@
 
 #include "cases/case.hpp"
 #include "diagnose/verdict.hpp"
+#include "rigs/heap.hpp"
+#include "rigs/pile.hpp"
 
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 namespace diagnose {
 
@@ -17,6 +20,8 @@ struct Settings {
     double alpha = 0.05;  // chance of calling a mismatch where there is none
     // Called now and then with the share done, 0 to 1, and what is done at present; returns false to stop (throws Interrupted).
     std::function<bool(double, const std::string&)> progress{};
+    // Pours heaps, each as its setup says; without it they are poured here and forgotten. May throw Interrupted.
+    std::function<std::vector<rigs::Heap>(const std::vector<rigs::PileSetup>&)> pour{};
 };
 
 struct Interrupted {};

@@ -57,6 +57,12 @@ const Candidate* Judge::artefact() const {
     return nullptr;
 }
 
+void Judge::fit_base() {
+    base = {.h = problem.hypothesis({}), .fit = {}};
+    base.fit = diagnose::fit_base(problem, *whiten, base.h);
+    deepen(problem, *whiten, base, nullptr);
+}
+
 void Judge::fit_singles() {
     singles.assign(terms.size(), {});
     in_parallel(terms.size(), settings.threads,
@@ -143,6 +149,7 @@ void Judge::set_outliers_aside() {
     const VectorXd white = richest().fit.white;
     for (Record& r : problem.records)
         for (Channel& c : r.channels) {
+            if (r.covariance.size() > 0) continue;
             const auto off = [&](std::size_t k) {
                 return k < c.recorded.size()
                            ? std::abs(white[static_cast<Eigen::Index>(c.first + k)])

@@ -36,8 +36,8 @@ struct Judge {
            left_out_winner = 0.0;  // left_out.hpp; NaN where there is nothing to leave out
     Verdict verdict{};
 
-    Judge(const cases::Case& c, const Settings& s)
-        : given(c), settings(s), problem(problem_of(c)) {}
+    Judge(const cases::Case& c, const Settings& s, const Piles* piles)
+        : given(c), settings(s), problem(problem_of(c, false, piles)) {}
     // Tells how far the work is; throws Interrupted where it is to stop.
     void report(double share, const std::string& what) const {
         if (settings.progress && !settings.progress(share, what)) throw Interrupted{};
@@ -54,6 +54,7 @@ struct Judge {
         return *best;
     }
     const Candidate* artefact() const;  // the single numerical_artefact; null where there is none
+    void fit_base();
     void fit_singles();
     void fit_pairs();
     void search_pairs_again();  // where even the best two leave a mismatch

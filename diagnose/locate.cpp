@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace diagnose {
 namespace {
@@ -147,6 +148,33 @@ std::vector<Shape> shapes(const Problem& p, const Whitener& w, const Hypothesise
     return list;
 }
 
+namespace {
+
+// A heap that leans: the half of the turn on which it is too high. `cosine` and `sine` are rows of its channels.
+Located lean(const Record& r, const Channel& cosine, const Channel& sine,
+             const VectorXd& difference, double p_value) {
+    double along = 0.0, across = 0.0, squares = 0.0, count = 0.0;
+    for (std::size_t k = 0; k < cosine.recorded.size(); ++k) {
+        if (!std::isfinite(cosine.recorded[k])) continue;
+        const double a = difference[static_cast<Index>(cosine.first + k)],
+                     b = difference[static_cast<Index>(sine.first + k)];
+        along += a, across += b, squares += a * a + b * b, count += 1.0;
+    }
+    const double middle = std::atan2(across, along), quarter = 0.5 * std::numbers::pi;
+    return {.experiment = r.experiment->id,
+            .channel = "z",
+            .variable = "azimuth",
+            .unit = "rad",
+            .from = middle - quarter,
+            .to = middle + quarter,
+            .sign = 1,
+            .size = std::sqrt(squares / std::max(1.0, count)),
+            .size_unit = "m",
+            .p_value = p_value};
+}
+
+}  // namespace
+
 std::vector<Located> located(const Problem& p, const VectorXd& white, const VectorXd& difference,
                              double p_value) {
     const double all = white.squaredNorm();
@@ -154,6 +182,7 @@ std::vector<Located> located(const Problem& p, const VectorXd& white, const Vect
     std::vector<std::pair<double, Located>> list;
     for (const Record& r : p.records) {
         for (const Channel& c : r.channels) {
+            if (c.name == "z_sin") continue;
             std::vector<std::pair<double, Index>> rows;
             double total = 0.0;
             for (std::size_t k = 0; k < c.recorded.size(); ++k) {
@@ -161,6 +190,17 @@ std::vector<Located> located(const Problem& p, const VectorXd& white, const Vect
                 const auto at = static_cast<Index>(c.first + k);
                 rows.push_back({r.ordinates.at[k], at});
                 total += white[at] * white[at];
+            }
+            if (c.name == "z_cos") {
+                const Channel& sine = (&c)[1];  // they come together
+                total += white
+                             .segment(static_cast<Index>(sine.first),
+                                      static_cast<Index>(sine.recorded.size()))
+                             .squaredNorm();
+                of_channel["azimuth"] += total;
+                if (total >= 0.02 * all && total > 0.0)
+                    list.push_back({total, lean(r, c, sine, difference, p_value)});
+                continue;
             }
             of_channel[c.name] += total;
             if (rows.size() < 2 || total < 0.02 * all || total <= 0.0) continue;
@@ -201,7 +241,10 @@ std::vector<Located> located(const Problem& p, const VectorXd& white, const Vect
         }
     }
     std::stable_sort(list.begin(), list.end(), [&](const auto& a, const auto& b) {
-        const double one = of_channel[a.second.channel], other = of_channel[b.second.channel];
+        const auto squares = [&](const Located& l) {
+            return of_channel[l.variable == "azimuth" ? l.variable : l.channel];
+        };
+        const double one = squares(a.second), other = squares(b.second);
         return one != other ? one > other : a.first > b.first;
     });
     std::vector<Located> result;

@@ -38,7 +38,8 @@ std::vector<Shape> shapes(const Problem&, const Whitener&, const Hypothesised& h
                           const std::vector<Term>& terms);
 
 // The shortest interval of each channel's ordinate that holds 80 % of the squares of `white` (whitened mismatch), the
-// channel with most squares over all recordings first, and of each channel the recording with most; less than 2 % is left out. `difference`: the mismatch itself, SI.
+// channel with most squares over all recordings first, and of each channel the recording with most; less than 2 % is left out. Of the
+// lean of a heap the half turn on which it is too high. `difference`: the mismatch itself, SI.
 std::vector<Located> located(const Problem&, const Eigen::VectorXd& white,
                              const Eigen::VectorXd& difference, double p_value);
 

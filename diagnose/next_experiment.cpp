@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "diagnose/next_experiment.hpp"
 
+#include "diagnose/piles.hpp"
 #include "diagnose/scores.hpp"
 #include "diagnose/words.hpp"
 
@@ -149,7 +150,7 @@ Tried tried(const Problem& p, const Noise& noise, const std::vector<const Candid
     with.experiments.push_back(std::move(e));
     Tried result;
     {
-        const Problem alone = problem_of(with);
+        const Problem alone = problem_of(with, false, p.piles);
         const Candidate shown = carried_over(alone, *alike.front());
         const Record& last = alone.records.back();
         for (const Channel& c : last.channels) {
@@ -160,7 +161,7 @@ Tried tried(const Problem& p, const Noise& noise, const std::vector<const Candid
                                                           static_cast<Index>(c.recorded.size())));
         }
     }
-    const Problem both = problem_of(with);
+    const Problem both = problem_of(with, false, p.piles);
     const Whitener w(both, noise_like(both, p, noise));
     std::vector<Candidate> there;
     for (const Candidate* c : alike) there.push_back(carried_over(both, *c));
@@ -217,12 +218,14 @@ std::unique_ptr<Planned> with_held_out(const Problem& p, const Noise& noise) {
     bool any = false;
     for (cases::Experiment& e : planned->with.experiments) {
         if (!e.held_out) continue;
+        if (e.rig == "pile" && (p.piles == nullptr || !p.piles->knows(e))) continue;
         e.recording.reset();
         for (const Record& r : p.records)
             if (r.experiment->rig == e.rig && !e.recording) {
                 e.recording = r.experiment->recording;
                 for (cases::Column& column : e.recording->columns)
-                    if (column.name != r.ordinate && column.words.empty())
+                    if (column.name != r.ordinate && column.name != "azimuth" &&
+                        column.words.empty())
                         std::fill(column.values.begin(), column.values.end(), 0.0);
             }
         if (e.recording) {
@@ -236,7 +239,7 @@ std::unique_ptr<Planned> with_held_out(const Problem& p, const Noise& noise) {
         }
     }
     if (!any) return nullptr;
-    planned->problem = problem_of(planned->with);
+    planned->problem = problem_of(planned->with, false, p.piles);
     planned->noise = noise_like(planned->problem, p, noise);
     return planned;
 }

@@ -99,6 +99,10 @@ Whitener::Whitener(const Problem& p, const Noise& noise)
     : previous_(p.size, -1), a_(p.size, 0.0), b_(p.size, 0.0), measured_(p.size, false) {
     for (std::size_t j = 0; j < p.records.size(); ++j) {
         const Record& r = p.records[j];
+        if (r.covariance.size() > 0) {
+            add_block(r);
+            continue;
+        }
         for (std::size_t c = 0; c < r.channels.size(); ++c) {
             const Channel& channel = r.channels[c];
             const auto [sigma, rho] = noise[j][c];
@@ -125,10 +129,39 @@ Whitener::Whitener(const Problem& p, const Noise& noise)
     }
 }
 
+void Whitener::add_block(const Record& r) {
+    Block block;
+    const std::size_t first = r.channels.front().first;
+    for (const Channel& c : r.channels)
+        for (std::size_t k = 0; k < c.recorded.size(); ++k)
+            if (std::isfinite(c.recorded[k]))
+                block.rows.push_back(static_cast<Eigen::Index>(c.first + k));
+    const auto n = static_cast<Eigen::Index>(block.rows.size());
+    Eigen::MatrixXd measured(n, n);
+    for (Eigen::Index a = 0; a < n; ++a)
+        for (Eigen::Index b = 0; b < n; ++b)
+            measured(a, b) = r.covariance(
+                block.rows[static_cast<std::size_t>(a)] - static_cast<Eigen::Index>(first),
+                block.rows[static_cast<std::size_t>(b)] - static_cast<Eigen::Index>(first));
+    block.factor.compute(measured);
+    const Eigen::MatrixXd lower = block.factor.matrixL();
+    for (Eigen::Index k = 0; k < n; ++k) {
+        measured_[static_cast<std::size_t>(block.rows[static_cast<std::size_t>(k)])] = true;
+        log_norm_ -= std::log(lower(k, k)) + 0.5 * std::log(two_pi);
+    }
+    rows_ += block.rows.size();
+    blocks_.push_back(std::move(block));
+}
+
 Eigen::VectorXd Whitener::operator()(const Eigen::VectorXd& residual) const {
     Eigen::VectorXd z = Eigen::VectorXd::Zero(residual.size());
+    for (const Block& block : blocks_) {
+        const Eigen::VectorXd own = residual(block.rows);
+        const Eigen::VectorXd white = block.factor.matrixL().solve(own);
+        z(block.rows) = white;
+    }
     for (std::size_t k = 0; k < measured_.size(); ++k) {
-        if (!measured_[k]) continue;
+        if (a_[k] == 0.0) continue;
         const auto i = static_cast<Eigen::Index>(k);
         z[i] = a_[k] * residual[i] - (previous_[k] < 0 ? 0.0 : b_[k] * residual[previous_[k]]);
     }
@@ -137,8 +170,13 @@ Eigen::VectorXd Whitener::operator()(const Eigen::VectorXd& residual) const {
 
 Eigen::VectorXd Whitener::coloured(const Eigen::VectorXd& white) const {
     Eigen::VectorXd r = Eigen::VectorXd::Zero(white.size());
+    for (const Block& block : blocks_) {
+        const Eigen::VectorXd own = white(block.rows);
+        const Eigen::VectorXd residual = block.factor.matrixL() * own;
+        r(block.rows) = residual;
+    }
     for (std::size_t k = 0; k < measured_.size(); ++k) {
-        if (!measured_[k]) continue;
+        if (a_[k] == 0.0) continue;
         const auto i = static_cast<Eigen::Index>(k);
         r[i] = (white[i] + (previous_[k] < 0 ? 0.0 : b_[k] * r[previous_[k]])) / a_[k];
     }
@@ -162,6 +200,7 @@ Noise estimated(const Problem& p, const Eigen::VectorXd& residual, std::size_t f
     std::map<std::string, std::vector<Series>> by_channel;
     std::size_t rows = 0;
     for (std::size_t j = 0; j < p.records.size(); ++j) {
+        if (p.records[j].covariance.size() > 0) continue;
         for (std::size_t c = 0; c < p.records[j].channels.size(); ++c) {
             const Channel& channel = p.records[j].channels[c];
             Series s{j, c, {}};

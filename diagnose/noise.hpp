@@ -2,11 +2,13 @@
 // Noise of recordings: a standard deviation and the correlation of neighbouring rows, first-order autoregressive (AR(1)), for
 // each channel of each recording. A residual is whitened row by row,
 //   z_k = (r_k - phi r_prev)/(sigma sqrt(1 - phi^2)),   phi = rho^(rows between),
-// so that under the right model z is white with deviation 1. Missing rows give z = 0.
+// so that under the right model z is white with deviation 1. Missing rows give z = 0. A recording with a covariance of its own (a
+// heap) is whitened by the inverse of its Cholesky factor.
 #pragma once
 
 #include "diagnose/problem.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 
 #include <vector>
@@ -34,9 +36,16 @@ class Whitener {
     }  // -sum log(sigma sqrt(1 - phi^2)) - rows/2 log(2 pi)
 
   private:
+    void add_block(const Record&);
+
     std::vector<int> previous_;  // [size], -1: first of its series
     std::vector<double> a_, b_;  // z = a r - b r_previous
     std::vector<bool> measured_;
+    struct Block {  // a recording with a covariance
+        std::vector<Eigen::Index> rows;
+        Eigen::LLT<Eigen::MatrixXd> factor;
+    };
+    std::vector<Block> blocks_;
     std::size_t rows_ = 0;
     double log_norm_ = 0.0;
 };

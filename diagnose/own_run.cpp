@@ -61,7 +61,7 @@ void compare_own_runs(Problem& p) {
     const Eigen::VectorXd stated = start_of(base.unknowns);
     for (Record& r : p.records) {
         const cases::Experiment& e = *r.experiment;
-        if (!e.simulated) continue;
+        if (!e.simulated || r.covariance.size() > 0) continue;
         const rigs::Ordinates rows = rigs::simulated_ordinates(e);
         const rigs::Curves ours = r.model->predict(world_at(p, base, stated, r), rows);
         for (Channel& c : r.channels) {

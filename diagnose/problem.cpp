@@ -4,6 +4,7 @@
 #include "cases/effects.hpp"
 #include "cases/rig_table.hpp"
 #include "diagnose/own_run.hpp"
+#include "diagnose/piles.hpp"
 #include "scaling/errors.hpp"
 
 #include <algorithm>
@@ -20,7 +21,12 @@ std::string ordinate_of(const cases::Experiment& e) {
     return "t";
 }
 
-Record record_of(const cases::Experiment& e, std::size_t& size) {
+Record record_of(const cases::Experiment& e, const Piles* piles, std::size_t& size) {
+    if (e.rig == "pile" && piles != nullptr) {
+        Record record = piles->record(e);
+        for (Channel& c : record.channels) c.first = size, size += c.recorded.size();
+        return record;
+    }
     Record record{.experiment = &e,
                   .model = rigs::forward_model(e),
                   .ordinates = rigs::recorded_ordinates(e),
@@ -136,10 +142,12 @@ bool used(const Problem& p, const std::string& name) {
                            [&](const Record& r) { return r.experiment->rig == n; });
     };
     if (name == "restitution")
-        return !physics.contains("viscoelastic_restitution") && (rig("drop") || rig("impact"));
-    if (name == "rolling_friction") return physics.contains("rolling_resistance");
+        return !physics.contains("viscoelastic_restitution") &&
+               (rig("drop") || rig("impact") || rig("pile"));
+    if (name.ends_with("rolling_friction") && !physics.contains("rolling_resistance")) return false;
     if (name == "work_of_adhesion") return physics.contains("adhesion");
-    return !name.starts_with("wall_");
+    if (name == "wall_work_of_adhesion") return physics.contains("wall_adhesion") && rig("pile");
+    return !name.starts_with("wall_") || rig("pile");
 }
 
 void add_free_parameters(Problem& p) {
@@ -158,7 +166,7 @@ void add_free_parameters(Problem& p) {
 }  // namespace
 
 std::string unit_of_channel(const std::string& name) {
-    if (name == "z" || name == "x" || name == "s") return "m";
+    if (name.starts_with("z") || name == "x" || name == "s") return "m";
     if (name == "force") return "N";
     if (name == "rebound_angle") return "rad";
     return name.ends_with("spin") ? "rad/s" : "1";
@@ -183,11 +191,17 @@ Hypothesised Problem::hypothesis(std::vector<const Term*> terms) const {
     return h;
 }
 
-Problem problem_of(const cases::Case& c, bool held_out) {
+bool is_lone_angle(const cases::Experiment& e) {
+    return e.rig == "pile" && e.recording && !e.recording->has("r");
+}
+
+Problem problem_of(const cases::Case& c, bool held_out, const Piles* piles) {
     Problem p;
+    p.piles = piles;
     p.given = &c;
     for (const cases::Experiment& e : c.experiments)
-        if (e.held_out == held_out && e.recording) p.records.push_back(record_of(e, p.size));
+        if (e.held_out == held_out && e.recording && !is_lone_angle(e))
+            p.records.push_back(record_of(e, piles, p.size));
     if (p.records.empty()) return p;
     p.world = rigs::world_of(c, *p.records.front().experiment);
     add_free_parameters(p);

@@ -15,6 +15,8 @@
 
 namespace diagnose {
 
+class Piles;
+
 struct Channel {
     std::string name;
     std::vector<double> recorded;         // [rows], SI; NaN where nothing was measured
@@ -30,7 +32,12 @@ struct Record {
     rigs::Ordinates ordinates;
     std::string ordinate;  // "t", "angle", "separation", "displacement"
     std::vector<Channel> channels;
+    // Of all rows, channel by channel, where what one run of the experiment scatters by is known; else empty, and noise.hpp holds.
+    Eigen::MatrixXd covariance{};
 };
+
+// A pile of which only angles were recorded: numbers that many kinds of physics give. No fit takes them in.
+bool is_lone_angle(const cases::Experiment&);
 
 // SI: "m", "N", "rad", "rad/s", "1".
 std::string unit_of_channel(const std::string& name);
@@ -50,12 +57,14 @@ struct Problem {
     std::vector<Unknown> base;  // free parameters, nuisances
     rigs::World world;          // the user's, at stated values
     Eigen::VectorXd recorded;   // [size]; NaN where nothing was measured
+    const Piles* piles = nullptr;
 
     Hypothesised hypothesis(std::vector<const Term*> terms) const;
 };
 
-// Of the experiments with role `fit` (or, with `held_out`, of the others) that have a recording. The Case must outlive it.
-Problem problem_of(const cases::Case&, bool held_out = false);
+// Of the experiments with role `fit` (or, with `held_out`, of the others) that have a recording. The Case must outlive it. `piles`
+// answers for piles; without it they are refused.
+Problem problem_of(const cases::Case&, bool held_out = false, const Piles* piles = nullptr);
 
 // The long vector that the hypothesis predicts at theta [unknowns], 0 where the rig has no answer. `only` < 0: all records, else
 // this one (the rest 0). `rows` [records]: of a recording over time only so many of its first rows are asked for, of any no row

@@ -10,21 +10,34 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
+double range_of(const Channel& c) {
+    double low = 1e300, high = -1e300;
+    for (const double v : c.recorded)
+        if (std::isfinite(v)) low = std::min(low, v), high = std::max(high, v);
+    return high - low;
+}
+
+// Of lean and roughness of a heap that of its heights: they are parts of one channel.
+double range_of(const Record& r, const Channel& c) {
+    return range_of(c.name.starts_with("z_") ? r.channels.front() : c);
+}
+
 // 100 rms/(max - min); NaN where the channel never moves.
 struct Nrmse {
     double base, extended, floor;
 };
 
-Nrmse nrmse_of(const Channel& c, const VectorXd& base, const VectorXd& extended, double noise) {
-    double low = 1e300, high = -1e300, b = 0.0, e = 0.0, n = 0.0;
+Nrmse nrmse_of(const Record& r, const Channel& c, const VectorXd& base, const VectorXd& extended,
+               double noise) {
+    double b = 0.0, e = 0.0, n = 0.0;
     for (std::size_t k = 0; k < c.recorded.size(); ++k) {
         const double v = c.recorded[k];
         if (!std::isfinite(v)) continue;
         const auto at = static_cast<Index>(c.first + k);
-        low = std::min(low, v), high = std::max(high, v), n += 1.0;
+        n += 1.0;
         b += (base[at] - v) * (base[at] - v), e += (extended[at] - v) * (extended[at] - v);
     }
-    const double scale = 100.0 / (high - low);
+    const double scale = 100.0 / range_of(r, c);
     return {scale * std::sqrt(b / n), scale * std::sqrt(e / n), scale * noise};
 }
 
@@ -50,7 +63,7 @@ Scores scores(const Problem& p, const Noise& noise, const Candidate& base,
     double count = 0.0;
     for (std::size_t j = 0; j < p.records.size(); ++j) {
         for (std::size_t c = 0; c < p.records[j].channels.size(); ++c) {
-            const Nrmse n = nrmse_of(p.records[j].channels[c], base.fit.prediction,
+            const Nrmse n = nrmse_of(p.records[j], p.records[j].channels[c], base.fit.prediction,
                                      extended.fit.prediction, noise[j][c].deviation);
             if (!std::isfinite(n.base)) continue;
             s.nrmse_base += n.base, s.nrmse_extended += n.extended, s.noise_floor += n.floor,

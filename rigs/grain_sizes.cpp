@@ -2,6 +2,7 @@
 #include "rigs/grain_sizes.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -31,9 +32,26 @@ double diameter_by_number(const std::vector<std::pair<double, Length>>& cumulati
            std::sqrt(inverse_square(k - 1) - share * (inverse_square(k - 1) - inverse_square(k)));
 }
 
+// Log-normal by number, cut off at `cut` of its deviations: mean d before the cut, deviation `spread` times the mean.
+double log_normal_diameter(double d, double spread, double u) {
+    constexpr double cut = 2.5;
+    const double deviation = std::sqrt(std::log1p(spread * spread));
+    const double below = 0.5 * std::erfc(cut / std::numbers::sqrt2);
+    const double wanted = below + u * (1.0 - 2.0 * below);
+    double low = -cut, high = cut;  // of the normal deviate, halved down to its last bits
+    for (int k = 0; k < 60; ++k) {
+        const double middle = 0.5 * (low + high);
+        (0.5 * std::erfc(-middle / std::numbers::sqrt2) < wanted ? low : high) = middle;
+    }
+    return d * std::exp(deviation * 0.5 * (low + high) - 0.5 * deviation * deviation);
+}
+
 }  // namespace
 
-DrawnGrain draw_grain(const cases::Grain& grain, double u) {
+DrawnGrain draw_grain(const cases::Grain& grain, double u, double size_spread) {
+    if (size_spread > 0.0)
+        return {log_normal_diameter(grain.diameter.value.value(), size_spread, u),
+                cases::material_of_grain};
     if (!grain.size_distribution.empty())
         return {diameter_by_number(grain.size_distribution, u), cases::material_of_grain};
     if (grain.sizes.empty()) return {grain.diameter.value.value(), cases::material_of_grain};

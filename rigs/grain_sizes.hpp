@@ -12,7 +12,8 @@ struct DrawnGrain {
 };
 
 // The grain below which a share `u`, 0 to 1, of all grains by number lies: all of one diameter, or by `sizes`, or by
-// `size_distribution`.
-DrawnGrain draw_grain(const cases::Grain&, double u);
+// `size_distribution`. `size_spread` > 0: in place of these, log-normal by number about `diameter`, standard deviation over mean (cut
+// at 2.5 deviations of the logarithm).
+DrawnGrain draw_grain(const cases::Grain&, double u, double size_spread = 0.0);
 
 }  // namespace rigs

@@ -101,8 +101,10 @@ dem_min::Clump grain_of(const PileSetup&, double d, double density);
 // Spheres of a grain: 1, or those of a clump.
 std::size_t spheres_per_grain(const PileSetup&);
 
-// Draws feeding instants, places, directions of clumps, sizes and, where sizes have materials of their own, these.
-void choose_feed(PileSetup&, const cases::Grain& sizes, std::uint64_t seed);
+// Draws feeding instants, places, directions of clumps, sizes and, where sizes have materials of their own, these. `size_spread`:
+// see draw_grain.
+void choose_feed(PileSetup&, const cases::Grain& sizes, std::uint64_t seed,
+                 double size_spread = 0.0);
 
 // The fluid, the tilt and the vibration that the model names (rigs/pile_surroundings.cpp). Conditions and densities must be there.
 void choose_surroundings(PileSetup&, const cases::Case&, const cases::Experiment&);

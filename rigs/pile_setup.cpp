@@ -77,7 +77,7 @@ PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment,
                      std::uint64_t seed) {
     std::vector<std::string> physics = bulk_physics();
     physics.insert(physics.end(), {"air_drag", "buoyancy", "tilt", "vibration", "shape",
-                                   "capillary_bridge", "ageing"});
+                                   "capillary_bridge", "ageing", "polydispersity"});
     refuse_other_physics(c, "pile", physics);
     if (c.model.includes("shape"))
         for (const char* other : {"air_drag", "buoyancy", "tilt", "vibration"})
@@ -96,7 +96,14 @@ PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment,
     s.grains = contacts.grains, s.walls = contacts.walls;
     if (c.model.includes("shape")) s.aspect_ratio = c.model.value_or("aspect_ratio", 1.0);
     add_pair_effects(c, s.grains, s.walls);
-    choose_feed(s, experiment.grain, seed);
+    const double spread =
+        c.model.includes("polydispersity") ? c.model.value_or("size_spread", 0.0) : 0.0;
+    if (spread > 0.0 &&
+        (!experiment.grain.sizes.empty() || !experiment.grain.size_distribution.empty()))
+        throw scaling::InvalidInput(
+            scaling::mistake(c.path + ": model.physics", "polydispersity beside stated sizes",
+                             "must be one of the two", "remove \"sizes\" or \"polydispersity\""));
+    choose_feed(s, experiment.grain, seed, spread);
     choose_materials(s, c, experiment);
     choose_surroundings(s, c, experiment);
     choose_steps(s);
@@ -114,7 +121,7 @@ std::size_t spheres_per_grain(const PileSetup& s) {
 
 double speed_of_rest(const PileSetup& s) { return 1e-3 * std::sqrt(s.gravity * s.d); }
 
-void choose_feed(PileSetup& s, const cases::Grain& sizes, std::uint64_t seed) {
+void choose_feed(PileSetup& s, const cases::Grain& sizes, std::uint64_t seed, double size_spread) {
     const dem_min::RandomStream places{seed, feeding_places}, diameters{seed, grain_sizes},
         axes{seed, grain_axes};
     const auto count = static_cast<std::size_t>(s.conditions.grains);
@@ -122,7 +129,7 @@ void choose_feed(PileSetup& s, const cases::Grain& sizes, std::uint64_t seed) {
     s.feed_time.resize(count), s.feed_x.resize(count), s.feed_y.resize(count),
         s.radius.resize(count), s.materials.of_grain.resize(count);
     for (std::size_t k = 0; k < count; ++k) {
-        const DrawnGrain drawn = draw_grain(sizes, diameters.uniform(k));
+        const DrawnGrain drawn = draw_grain(sizes, diameters.uniform(k), size_spread);
         s.radius[k] = 0.5 * drawn.diameter;
         s.materials.of_grain[k] = drawn.material;
         const double reach = s.aspect_ratio > 1.0

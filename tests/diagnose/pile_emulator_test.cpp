@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+// An emulator of runs that are a known function and known scatter.
+#include "diagnose/pile_emulator.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <random>
+
+using diagnose::Numbers;
+using diagnose::PileEmulator;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr double sd = 0.1, correlation = 0.8;
+
+// Two numbers that move, one lean, one across.
+struct Runs {
+    MatrixXd x, y;
+    static VectorXd truth(double a, double b) {
+        VectorXd t = VectorXd::Zero(4);
+        t[0] = std::sin(1.5 * a) + 0.3 * b, t[1] = a * b;
+        return t;
+    }
+    Runs(Index n, unsigned seed) : x(n, 2), y(n, 4) {
+        std::mt19937_64 random(seed);
+        std::uniform_real_distribution<double> even(-1.0, 1.0);
+        std::normal_distribution<double> normal;
+        for (Index k = 0; k < n; ++k) {
+            x.row(k) << even(random), even(random);
+            const double first = normal(random), second = normal(random);
+            VectorXd noise(4);
+            noise << first,
+                correlation * first + std::sqrt(1.0 - correlation * correlation) * second,
+                2.0 * normal(random), 2.0 * normal(random);
+            y.row(k) = truth(x(k, 0), x(k, 1)) + sd * noise;
+        }
+    }
+};
+
+const Numbers numbers{.moved = {0, 1}, .lean = {2}, .across = {3}};
+
+}  // namespace
+
+TEST_CASE("the emulator's mean and the scatter about it are those of the runs",
+          "[diagnose][pile_emulator]") {
+    const Runs runs(160, 1);
+    const PileEmulator e(runs.x, runs.y, numbers, {}, 1);
+    std::mt19937_64 random(9);
+    std::uniform_real_distribution<double> even(-0.9, 0.9);
+    double worst = 0.0;
+    for (int k = 0; k < 50; ++k) {
+        VectorXd x(2);
+        x << even(random), even(random);
+        const VectorXd m = e.mean(x);
+        worst = std::max(worst, (m - Runs::truth(x[0], x[1])).lpNorm<Eigen::Infinity>());
+        CHECK(m[2] == 0.0);
+        CHECK(m[3] == 0.0);
+    }
+    CHECK(
+        worst <
+        sd);  // a fit of some ten numbers to 160 runs: sd sqrt(10/160) = sd/4, up to four deviations of it
+    const VectorXd like = Runs::truth(0.2, 0.1);
+    const MatrixXd c = e.covariance(like);
+    // From 80 runs: a variance is good to sqrt(2/80) = 16 %, wider by the emulator's error and Hotelling's factor.
+    CHECK(std::sqrt(c(0, 0)) == Approx(sd).epsilon(0.35));
+    CHECK(std::sqrt(c(1, 1)) == Approx(sd).epsilon(0.35));
+    CHECK(c(0, 1) / std::sqrt(c(0, 0) * c(1, 1)) > 0.6);
+    CHECK(std::sqrt(c(2, 2)) == Approx(2.0 * sd).epsilon(0.35));
+    CHECK(c(2, 2) == c(3, 3));  // one covariance for both sides
+    CHECK(c(0, 2) == 0.0);
+}
+
+// The judge divides by this covariance: over many sets of runs the squared distance of a further run has mean 1 per number.
+TEST_CASE("runs not seen are as far off as the covariance says", "[diagnose][pile_emulator]") {
+    double sum = 0.0, count = 0.0;
+    for (unsigned seed = 0; seed < 6; ++seed) {
+        const Runs runs(80, 100 + seed), further(40, 500 + seed);
+        const PileEmulator e(runs.x, runs.y, numbers, {}, 1);
+        for (Index k = 0; k < 40; ++k) {
+            const VectorXd off = VectorXd(further.y.row(k)) - e.mean(further.x.row(k));
+            const MatrixXd c = e.covariance(further.y.row(k));
+            sum += off.dot(c.llt().solve(off)), count += 4.0;
+        }
+    }
+    // 960 squares, and six covariances good to some 15 % each.
+    CHECK(sum / count == Approx(1.0).margin(0.2));
+}

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+// The whole judge on heaps that are not poured but made up: cones whose slope follows the friction, and whose foot and roughness
+// follow the adhesion, so that every answer is known beforehand.
+#include "diagnose/diagnose.hpp"
+#include "rigs/scanner.hpp"
+
+#include <catch2/catch.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+using diagnose::Answer;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+constexpr double d = 0.002, base = 0.024;  // m
+constexpr double noise = 1e-4;             // m
+
+// Grains all over a cone; `bond` in grain weights makes the flank concave and the surface rough. Scatter of seeds: of the slope and
+// of every grain.
+rigs::Heap cone(double friction, double bond, std::uint64_t seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    std::uniform_real_distribution<double> even;
+    rigs::Heap h{.centre = {}, .radius = {}, .base_radius = base / 2.0};
+    const double slope = 0.25 + 0.4 * friction + 0.01 * normal(random), strength = std::log1p(bond);
+    const double R = base / 2.0;
+    for (int k = 0; k < 500; ++k) {
+        const double r = R * std::sqrt(even(random)), azimuth = 2.0 * pi * even(random);
+        const double z = slope * (R - r) + 0.15 * strength * R * std::pow(1.0 - r / R, 2) +
+                         (2e-4 + 1e-4 * strength) * normal(random);
+        h.centre.push_back({r * std::cos(azimuth), r * std::sin(azimuth), z});
+        h.radius.push_back(d / 2.0);
+    }
+    return h;
+}
+
+rigs::Heap of(const rigs::PileSetup& s) {
+    const double weight = s.density * pi / 6.0 * d * d * d * s.gravity;
+    std::uint64_t seed = 0;  // what the setup drew from its own
+    for (const double x : s.feed_x)
+        seed = seed * 31 + static_cast<std::uint64_t>(1e9 * std::abs(x));
+    return cone(s.grains.sliding_friction, 1.5 * pi * s.grains.work_of_adhesion * d / 4.0 / weight,
+                seed);
+}
+
+cases::Recording recording(const rigs::Heap& heap, unsigned seed) {
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    std::vector<double> azimuth, r;
+    for (int a = 0; a < 12; ++a)
+        for (int k = 0; k < 40; ++k)
+            azimuth.push_back(2.0 * pi * a / 12), r.push_back((k + 0.5) * base / 80.0);
+    std::vector<double> z = rigs::heights_at(heap, azimuth, r);
+    for (double& v : z) v += noise * normal(random);
+    return {{{"azimuth", "rad", azimuth, {}}, {"r", "m", r, {}}, {"z", "m", z, {}}}};
+}
+
+cases::Value text(const std::string& key, const std::string& value) {
+    return {.where = key, .kind = cases::Value::Kind::text, .written_text = value};
+}
+
+cases::Case piles(double friction, double bond, unsigned seed) {
+    cases::Case c;
+    c.title = "cones", c.path = "cones";
+    cases::Experiment e;
+    e.rig = "pile";
+    e.grain.diameter.value = scaling::Length::from_value(d);
+    e.grain.density.value = scaling::Density::from_value(2500.0);
+    e.grain.youngs_modulus.value = scaling::Pressure::from_value(5e6);
+    e.grain.poisson_ratio.value = scaling::Dimensionless(0.25);
+    e.plate = {scaling::Pressure::from_value(5e6), scaling::Dimensionless(0.25)};
+    e.surroundings.gravity = scaling::Acceleration::from_value(9.81);
+    e.conditions.members = {{"base", text("base", "glued_grains")},
+                            {"base_diameter", text("base_diameter", "24 mm")},
+                            {"grains", {.where = "grains", .kind = cases::Value::Kind::number}}};
+    e.conditions.members.back().second.written_number = 20.0;
+    e.noise = {{"z", noise}};
+    c.grain = e.grain;
+    c.model.physics = {"gravity", "hertz_mindlin"};
+    c.model.parameters = {{"restitution", {0.5, "1", {}}},
+                          {"sliding_friction", {0.4, "1", std::pair{0.1, 0.9}}}};
+    for (unsigned k = 0; k < 2; ++k) {
+        e.id = "heap-" + std::to_string(k + 1);
+        e.recording = recording(cone(friction, bond, 1000 * seed + k), 77 * seed + k);
+        c.experiments.push_back(e);
+    }
+    return c;
+}
+
+diagnose::Verdict verdict_of(const cases::Case& c) {
+    diagnose::Settings settings;
+    settings.pour = [](const std::vector<rigs::PileSetup>& setups) {
+        std::vector<rigs::Heap> heaps;
+        for (const rigs::PileSetup& s : setups) heaps.push_back(of(s));
+        return heaps;
+    };
+    return diagnose::diagnose(c, settings, [](cases::Case&) {});
+}
+
+}  // namespace
+
+TEST_CASE("heaps as the model makes them are consistent, whatever their friction",
+          "[diagnose][piles]") {
+    const diagnose::Verdict v = verdict_of(piles(0.6, 0.0, 1));
+    CHECK(v.answer == Answer::consistent);
+    REQUIRE(!v.refitted.empty());
+    CHECK(v.refitted[0].name == "sliding_friction");
+    CHECK(v.refitted[0].low < 0.6);
+    CHECK(v.refitted[0].high > 0.6);
+}
+
+TEST_CASE("an adhesion that was left out is named and its strength found", "[diagnose][piles]") {
+    const double bond = 8.0;
+    const diagnose::Verdict v = verdict_of(piles(0.4, bond, 2));
+    REQUIRE(v.answer == Answer::explained);
+    REQUIRE(v.effects.size() == 1);
+    CHECK(v.effects[0].name == "adhesion");
+    const double weight = 2500.0 * pi / 6.0 * d * d * d * 9.81;
+    const double w = bond * weight / (1.5 * pi * d / 4.0);
+    REQUIRE(v.effects[0].parameters.size() == 1);
+    CHECK(v.effects[0].parameters[0].value == Approx(w).epsilon(0.5));
+    REQUIRE(!v.located.empty());
+    CHECK(v.located[0].experiment.starts_with("heap-"));
+    CHECK(v.fit->nrmse_extended < v.fit->nrmse_base);
+}
+
+TEST_CASE("the same seed and heaps give the same verdict", "[diagnose][piles]") {
+    const cases::Case c = piles(0.4, 2.0, 3);
+    const diagnose::Verdict a = verdict_of(c), b = verdict_of(c);
+    CHECK(a.p_value == b.p_value);
+    REQUIRE(a.hypotheses.size() == b.hypotheses.size());
+    for (std::size_t k = 0; k < a.hypotheses.size(); ++k)
+        CHECK(a.hypotheses[k].probability == b.hypotheses[k].probability);
+}
+
+TEST_CASE("an angle of repose alone names nothing and asks for the profile", "[diagnose][piles]") {
+    cases::Case c = piles(0.4, 0.0, 4);
+    for (cases::Experiment& e : c.experiments)
+        e.recording = {{{"angle_of_repose", "rad", {0.87, 0.96, 0.98, 0.9, 0.91, 0.93, 0.95}, {}},
+                        {"estimator", "", {}, std::vector<std::string>(7, "cone")}}};
+    const diagnose::Verdict v = verdict_of(c);
+    CHECK(v.answer == Answer::undecided);
+    CHECK(v.effects.empty());
+    REQUIRE(v.next_experiment.has_value());
+    CHECK(v.next_experiment->rig == "pile");
+    CHECK(v.next_experiment->channels == std::vector<std::string>{"azimuth", "z"});
+    CHECK(v.next_experiment->conditions.at("base_diameter") == "24 mm");
+    REQUIRE(!v.warnings.empty());
+}
