@@ -209,8 +209,9 @@ class Work {
         const Campaign& c = c_.common;
         const fs::path verdicts = home() / "verdicts";
         if (stop_ || (c.resume && fs::exists(ended(verdicts, name)))) return;
-        judge_case({c.judge, "diagnose", (home() / "cases" / name).string(), "--seed",
-                    std::to_string(c.judge_seed), "--threads", "1"},
+        judge_case({c.judge, "diagnose", (home() / "cases" / name).string(), "--heaps",
+                    (home() / "judge-heaps").string(), "--seed", std::to_string(c.judge_seed),
+                    "--threads", "1"},
                    verdicts, name, c.limit, stop_);
     }
 
