@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
+#include <utility>
 
 namespace reports {
 
@@ -88,7 +90,8 @@ std::string seeds_text(const MapCell& c) {
 // "breaks: coordination, force per area"; of more than three quantities their number alone, which the pictures show.
 std::string verdict_text(const MapCell& c) {
     const auto commas = std::count(c.why.begin(), c.why.end(), ',');
-    const std::string why = commas < 3 ? words(c.why) : fmt::format("{} quantities", commas + 1);
+    const std::string why =
+        commas < 3 ? map_words(c.why) : fmt::format("{} quantities", commas + 1);
     return words(to_string(c.verdict)) + ": " + why;
 }
 
@@ -102,10 +105,10 @@ TextTable rows_of(const ScalingMap& map, const std::string& study) {
     for (const MapCell& c : map.cells) {
         if (c.study != study) continue;
         if (impacts)
-            rows.push_back({words(c.rule), number(c.bond), number(c.factor), number(c.scaled.bond),
-                            number(c.scaled.elasticity), verdict_text(c)});
+            rows.push_back({map_words(c.rule), number(c.bond), number(c.factor),
+                            number(c.scaled.bond), number(c.scaled.elasticity), verdict_text(c)});
         else
-            rows.push_back({words(c.rule), number(c.bond), number(c.factor),
+            rows.push_back({map_words(c.rule), number(c.bond), number(c.factor),
                             number(c.scaled.size_ratio),
                             fmt::format("{} + {}", c.reference.heaps, c.scaled.heaps),
                             fmt::format("{} + {}", c.reference.formed, c.scaled.formed),
@@ -124,7 +127,7 @@ RunSection margins_section() {
                  .intervals = {}};
     for (const auto* list : {&verify::map_margins(), &verify::impact_margins()})
         for (const verify::MapMargin& m : *list)
-            s.quantities.push_back({words(m.name), m.unit,
+            s.quantities.push_back({map_words(m.name), m.unit,
                                     number(m.margin) + (m.relative ? " of the reference's" : ""),
                                     m.reason});
     return s;
@@ -136,8 +139,8 @@ constexpr const char* pictured[] = {"angle_flank_20_80", "angle_two_h_over_d", "
 std::string unit_of(const std::string& quantity) {
     for (const verify::MapMargin& m : verify::map_margins())
         if (quantity == m.name)
-            return fmt::format("in {}; margin {}", m.unit == std::string("1") ? "1" : m.unit,
-                               number(m.margin));
+            return (m.unit == std::string("1") ? "" : fmt::format("in {}; ", m.unit)) + "margin " +
+                   number(m.margin);
     return "";
 }
 
@@ -158,8 +161,8 @@ RunSection study_section(const ScalingMap& map, const std::string& study) {
         const std::string picture = map_svg(map, study, quantity, study + "-" + quantity);
         if (!picture.empty())
             s.intervals.push_back({picture, fmt::format("{}: scaled minus reference, with its 90 % "
-                                                        "interval, {}.",
-                                                        words(quantity), unit_of(quantity))});
+                                                        "interval; {}.",
+                                                        map_words(quantity), unit_of(quantity))});
     }
     return s;
 }
@@ -177,6 +180,17 @@ Verdict verdict_of(const ScalingMap& map) {
             fmt::format("{}: of {} cells {}", whole ? "Poured whole" : "Not poured whole",
                         map.cells.size(), counted(counts_of(map, ""))),
             poured(map)};
+}
+
+std::string map_words(const std::string& names) {
+    std::string text = words(names);
+    for (const auto& [name, known] :
+         {std::pair{"angle flank 20 80", "flank angle"},
+          std::pair{"angle two h over d", "2h/D angle"}, std::pair{"tear off gap", "tear-off gap"},
+          std::pair{"pull off", "pull-off"}})
+        for (std::size_t at; (at = text.find(name)) != std::string::npos;)
+            text.replace(at, std::strlen(name), known);
+    return text;
 }
 
 std::string text_of(const ScalingMap& map) {

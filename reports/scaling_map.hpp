@@ -14,6 +14,9 @@ Verdict verdict_of(const verify::ScalingMap&);
 
 std::string text_of(const verify::ScalingMap&);
 
+// Quantities and rules as a reader knows them: "flank angle, 2h/D angle, packing fraction".
+std::string map_words(const std::string& names);
+
 // The cells of a study: rows rules and Bond numbers, columns factors, colour the verdict. With a quantity its difference and
 // interval are written in, without one the cell's verdict and what breaks it. Empty where the study has no such cells.
 std::string map_svg(const verify::ScalingMap&, const std::string& study,

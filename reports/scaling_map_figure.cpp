@@ -61,8 +61,8 @@ std::string shortened(const std::string& text, double box) {
 std::pair<std::string, std::string> lines(const MapCell& c, const MapQuantity* q) {
     if (q == nullptr)
         return {std::string(look(c.verdict).sign) + " " + words(to_string(c.verdict)),
-                words(c.why)};
-    if (c.verdict == MapVerdict::not_poured) return {"", words(c.why)};
+                map_words(c.why)};
+    if (c.verdict == MapVerdict::not_poured) return {"", map_words(c.why)};
     if (q->reference.count < 2 || q->scaled.count < 2) return {"? too few heaps", ""};
     return {fmt::format("{} {}", look(q->verdict).sign, fixed(q->difference, q->margin)),
             fmt::format("[{}, {}]", fixed(q->interval.low, q->margin),
@@ -136,7 +136,7 @@ std::string map_svg(const verify::ScalingMap& map, const std::string& study,
     if (g.cells.empty()) return "";
     const double height = top + row_height * static_cast<double>(g.rows.size()) + 8.0;
     const std::string title =
-        words(study) + ": " + (quantity.empty() ? "verdicts" : words(quantity));
+        words(study) + ": " + (quantity.empty() ? "verdicts" : map_words(quantity));
     std::string out = fmt::format(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" class=\"plot\" role=\"img\" viewBox=\"0 0 {0:g} "
         "{1:g}\" aria-labelledby=\"{2}-t {2}-d\" fill=\"currentColor\" font-family=\"inherit\" "
@@ -150,7 +150,7 @@ std::string map_svg(const verify::ScalingMap& map, const std::string& study,
                        "text-anchor=\"middle\" font-weight=\"600\"");
     for (std::size_t k = 0; k < g.rows.size(); ++k)
         out += text_at(left - 10.0, top + (static_cast<double>(k) + 0.5) * row_height + 4.0,
-                       fmt::format("{}, {}", words(g.rows[k].first), number(g.rows[k].second)),
+                       fmt::format("{}, {}", map_words(g.rows[k].first), number(g.rows[k].second)),
                        "text-anchor=\"end\"");
     for (const MapCell* c : g.cells) out += cell_svg(g, *c, quantity);
     return out + "</svg>\n";
