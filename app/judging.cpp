@@ -48,7 +48,8 @@ void judge_case(std::vector<std::string> words, const fs::path& verdicts, const 
     fs::create_directories(verdicts);
     const fs::path verdict = verdicts / (name + ".json");
     fs::remove(verdict);
-    words.insert(words.end(), {"--json", verdict.string(), "--quiet"});
+    words.insert(words.begin() + 3, {"--json", verdict.string()});
+    words.push_back("--quiet");
     const ChildEnd end = run_child(words, limit, stop);
     if (stop && !end.exit_code) return;
     if (!is_verdict(end)) fs::remove(verdict);  // it may have been cut off

@@ -15,8 +15,8 @@ namespace app {
 
 std::filesystem::path ended(const std::filesystem::path& verdicts, const std::string& name);
 
-// `words`: the judge and its arguments but for --json and --quiet, which are added. A verdict is kept only where the judge ended
-// with an exit code of one. `limit`: s of processor time. Nothing is written where `stop` came first.
+// `words`: judge, "diagnose", case and further arguments; --json FILE behind the case and --quiet at the end are added. A verdict is
+// kept only where the judge ended with an exit code of one. `limit`: s of processor time. Nothing is written where `stop` came first.
 void judge_case(std::vector<std::string> words, const std::filesystem::path& verdicts,
                 const std::string& name, double limit, const std::atomic<bool>& stop);
 
