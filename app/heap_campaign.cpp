@@ -5,7 +5,6 @@
 #include "app/common.hpp"
 #include "prove/case_text.hpp"
 #include "prove/heap_case.hpp"
-#include "scaling/errors.hpp"
 
 #include <fmt/format.h>
 
@@ -80,8 +79,7 @@ class Work {
         std::vector<Task> tasks;
         for (const prove::HeapFamily& f : families_)
             for (std::size_t a = 0; a < f.arrangements.size(); ++a)
-                for (std::size_t k = 0; k < design(f, a).size(); ++k)
-                    tasks.push_back(task(f, a, k));
+                for (Task& t : tasks_of(f, a)) tasks.push_back(std::move(t));
         pour(tasks, "heaps behind the keys");
         if (stop_) return false;
         tasks.clear();
@@ -124,12 +122,19 @@ class Work {
         return prove::heap_design(seed(), f, a);
     }
 
-    Task task(const prove::HeapFamily& f, std::size_t a, std::size_t k) const {
-        const prove::DesignPour d = design(f, a)[k];
+    // The design's heaps, in its order.
+    std::vector<Task> tasks_of(const prove::HeapFamily& f, std::size_t a) const {
         const prove::Arrangement& at = f.arrangements[a];
-        return {{at.grain, at.rig, prove::with_effect(d.effect, d.strength, d.friction), d.seed},
-                &at.spots,
-                home() / "heaps" / fmt::format("family-{}-{}-{:02}.txt", f.number, at.id, k)};
+        std::vector<Task> tasks;
+        for (const prove::DesignPour& d : design(f, a)) {
+            const std::string name =
+                fmt::format("family-{}-{}-{:02}.txt", f.number, at.id, tasks.size());
+            tasks.push_back(
+                {{at.grain, at.rig, prove::with_effect(d.effect, d.strength, d.friction), d.seed},
+                 &at.spots,
+                 home() / "heaps" / name});
+        }
+        return tasks;
     }
 
     std::vector<Task> tasks_of(const prove::HeapFamily& f, const prove::HeapPlan& p) const {
@@ -178,8 +183,8 @@ class Work {
         for (std::size_t a = 0; a < f.arrangements.size(); ++a) {
             std::vector<std::vector<double>> heights;
             std::vector<Eigen::VectorXd> features;
-            for (std::size_t k = 0; k < design(f, a).size(); ++k) {
-                heights.push_back(heights_in(task(f, a, k).file));
+            for (const Task& t : tasks_of(f, a)) {
+                heights.push_back(heights_in(t.file));
                 features.push_back(prove::heap_features(f.arrangements[a], heights.back()));
             }
             all.push_back(

@@ -28,16 +28,6 @@ Scales scales_of(const cases::Experiment& e) {
             e.grain.density.value.value() * pi / 6.0 * d * d * d * e.surroundings.gravity.value()};
 }
 
-Unknown log_range(const std::string& name, const std::string& unit, double low, double high) {
-    return {.name = name,
-            .unit = unit,
-            .key = name,
-            .prior = Prior::log_uniform,
-            .low = low,
-            .high = high,
-            .start = std::sqrt(low * high)};
-}
-
 using Unknowns = std::vector<Unknown>;
 
 // Somebody has looked at the base: level to 3.4 deg, 15 deg at most. Any azimuth.

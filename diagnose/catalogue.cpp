@@ -14,15 +14,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Unknown log_range(const std::string& name, const std::string& unit, double low, double high) {
-    return {.name = name,
-            .unit = unit,
-            .key = name,
-            .prior = Prior::log_uniform,
-            .low = low,
-            .high = high,
-            .start = std::sqrt(low * high)};
-}
 Unknown range(const std::string& name, const std::string& unit, double low, double high,
               double start) {
     return {.name = name,

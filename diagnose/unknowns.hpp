@@ -3,6 +3,7 @@
 // effect that may have been left out.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <set>
 #include <string>
@@ -40,6 +41,18 @@ struct Unknown {
     double start = 0.0;
     bool turns = false;  // from low to high is a full turn: both ends are one place
 };
+
+// A parameter of the model, anywhere between the two alike in the logarithm; low > 0.
+inline Unknown log_range(const std::string& name, const std::string& unit, double low,
+                         double high) {
+    return {.name = name,
+            .unit = unit,
+            .key = name,
+            .prior = Prior::log_uniform,
+            .low = low,
+            .high = high,
+            .start = std::sqrt(low * high)};
+}
 
 // One effect that may have been left out.
 struct Term {

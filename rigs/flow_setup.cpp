@@ -219,7 +219,7 @@ FlowSetup scaled(const FlowSetup& original, const scaling::ScaleMap& map) {
     times(map.factor("gravity"), s.gravity);
     times(map.factor("youngs_modulus"), s.grains.e_star, s.grains.g_star, s.walls.e_star,
           s.walls.g_star);
-    times(map.factor("work_of_adhesion"), s.grains.work_of_adhesion, s.walls.work_of_adhesion);
+    scale_attraction(s.grains, map), scale_attraction(s.walls, map);
     times(map.factor("contact_time"), s.time_step);
     times(time, s.rest_duration, s.longest, s.every);
     for (double& t : s.times) t *= time;

@@ -83,7 +83,7 @@ PileSetup pile_setup(const cases::Case& c, const cases::Experiment& experiment,
         for (const char* other : {"air_drag", "buoyancy", "tilt", "vibration"})
             if (c.model.includes(other))
                 throw scaling::InvalidInput(scaling::mistake(
-                    "model.physics", std::string("\"shape\" and \"") + other + '"',
+                    c.path + ": model.physics", std::string("\"shape\" and \"") + other + '"',
                     "elongated grains are poured in still, thin air on a level base at rest",
                     "take one of the two out"));
     PileSetup s{};
