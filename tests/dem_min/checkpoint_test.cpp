@@ -3,13 +3,13 @@
 
 #include "scaling/errors.hpp"
 #include "tests/dem_min/system.hpp"
+#include "tests/dem_min/temporary_file.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <filesystem>
 #include <fstream>
 #include <string>
-#include <unistd.h>
 
 using dem_min::Simulation;
 using dem_min::step;
@@ -17,12 +17,6 @@ using dem_min::step;
 namespace {
 
 // A file of its own for each process that runs a test, taken away afterwards.
-struct TemporaryFile {
-    std::filesystem::path path = std::filesystem::temp_directory_path() /
-                                 ("similitude_checkpoint_" + std::to_string(::getpid()) + ".bin");
-    ~TemporaryFile() { std::filesystem::remove(path); }
-};
-
 void run(Simulation& s, int steps) {
     for (int k = 0; k < steps; ++k) step(s);
 }
@@ -41,7 +35,7 @@ TEST_CASE("a run that goes on from a checkpoint gives the bits of one never inte
     Simulation whole = samples::simulation(system, 1, true);
     run(whole, 1700);
     REQUIRE(pair_count(whole) + wall_contact_count(whole) > 10);  // history to be kept
-    const TemporaryFile file;
+    const samples::TemporaryFile file;
     dem_min::write_checkpoint(whole, file.path);
     Simulation resumed = samples::simulation(system, 1, true);
     dem_min::read_checkpoint(resumed, file.path);
@@ -56,7 +50,7 @@ TEST_CASE("a checkpoint that is not whole is refused and changes nothing",
           "[dem_min][checkpoint]") {
     Simulation s = samples::simulation(samples::rain(samples::sticky(), 20, false, false));
     run(s, 300);
-    const TemporaryFile file;
+    const samples::TemporaryFile file;
     dem_min::write_checkpoint(s, file.path);
     const std::uintmax_t size = std::filesystem::file_size(file.path);
     const std::uint64_t before = state_hash(s);

@@ -2,12 +2,11 @@
 // A shell that rises along its axis and spins about it: what grains feel of it, its books, and the promises about bits.
 #include "dem_min/checkpoint.hpp"
 #include "tests/dem_min/system.hpp"
+#include "tests/dem_min/temporary_file.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <filesystem>
-#include <unistd.h>
 
 using dem_min::Shell;
 using dem_min::Simulation;
@@ -32,12 +31,6 @@ System turning_cup() {
 }
 
 constexpr std::int64_t steps_of_cup = 6000;  // most of the rain is on the bottom
-
-struct TemporaryFile {
-    std::filesystem::path path = std::filesystem::temp_directory_path() /
-                                 ("similitude_moving_shell_" + std::to_string(::getpid()) + ".bin");
-    ~TemporaryFile() { std::filesystem::remove(path); }
-};
 
 }  // namespace
 
@@ -109,7 +102,7 @@ TEST_CASE("a run resumed while a cup turns gives the bits of one never interrupt
     Simulation whole = samples::simulation(turning_cup(), 1, true);
     dem_min::advance(whole, steps_of_cup);
     std::get<Shell>(whole.walls[1]).rise = 0.02;  // its speed is part of the state
-    const TemporaryFile file;
+    const samples::TemporaryFile file;
     dem_min::write_checkpoint(whole, file.path);
     Simulation resumed = samples::simulation(turning_cup(), 1, true);
     dem_min::read_checkpoint(resumed, file.path);

@@ -3,12 +3,11 @@
 // every promise of the core about bits.
 #include "dem_min/checkpoint.hpp"
 #include "tests/dem_min/system.hpp"
+#include "tests/dem_min/temporary_file.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <filesystem>
-#include <unistd.h>
 
 using dem_min::Plane;
 using dem_min::Simulation;
@@ -42,12 +41,6 @@ System press() {
 std::int64_t steps_of_press(const System& s, double share) {
     return static_cast<std::int64_t>(share * 13.0 * d / 0.3 / s.time_step);
 }
-
-struct TemporaryFile {
-    std::filesystem::path path = std::filesystem::temp_directory_path() /
-                                 ("similitude_moving_wall_" + std::to_string(::getpid()) + ".bin");
-    ~TemporaryFile() { std::filesystem::remove(path); }
-};
 
 }  // namespace
 
@@ -145,7 +138,7 @@ TEST_CASE("a run resumed while a plate moves gives the bits of one never interru
     dem_min::advance(whole, steps_of_press(press(), 0.75));
     std::get<Plane>(whole.walls[2]).velocity = {0.0, 0.0, -0.2};  // its speed is part of the state
     dem_min::advance(whole, 300);
-    const TemporaryFile file;
+    const samples::TemporaryFile file;
     dem_min::write_checkpoint(whole, file.path);
     Simulation resumed = samples::simulation(press(), 1, true);
     dem_min::read_checkpoint(resumed, file.path);

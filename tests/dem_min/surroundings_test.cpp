@@ -3,13 +3,12 @@
 // from the room; and every promise of the core about bits.
 #include "dem_min/checkpoint.hpp"
 #include "tests/dem_min/system.hpp"
+#include "tests/dem_min/temporary_file.hpp"
 
 #include <catch2/catch.hpp>
 
 #include <cmath>
-#include <filesystem>
 #include <numbers>
-#include <unistd.h>
 
 using dem_min::Plane;
 using dem_min::Shaking;
@@ -53,12 +52,6 @@ System one_grain(Vec3 position, Vec3 velocity) {
     s.grains = {{position, velocity, {}, 0.5 * d, dry().density, false}};
     return s;
 }
-
-struct TemporaryFile {
-    std::filesystem::path path = std::filesystem::temp_directory_path() /
-                                 ("similitude_surroundings_" + std::to_string(::getpid()) + ".bin");
-    ~TemporaryFile() { std::filesystem::remove(path); }
-};
 
 // Speed of a grain thrown along x, after `duration` in so many steps.
 double slowed_to(double speed, const dem_min::Fluid& fluid, double duration, int steps) {
@@ -236,7 +229,7 @@ TEST_CASE("a run resumed in a fluid on a shaking base gives the bits of one neve
           "[dem_min][checkpoint][surroundings]") {
     Simulation whole = surrounded(rain(false), all_at_once(), 1, true);
     dem_min::advance(whole, 1700);
-    const TemporaryFile file;
+    const samples::TemporaryFile file;
     dem_min::write_checkpoint(whole, file.path);
     Simulation resumed = surrounded(rain(false), all_at_once(), 1, true);
     dem_min::read_checkpoint(resumed, file.path);

@@ -2,7 +2,7 @@
 // The whole way with heaps that the core pours: sixty grains on glued ones, so that it takes seconds.
 #include "diagnose/bulk_effects.hpp"
 #include "diagnose/diagnose.hpp"
-#include "rigs/scanner.hpp"
+#include "tests/diagnose/pile_case.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -12,7 +12,7 @@
 
 namespace {
 
-constexpr double d = 0.002, base = 0.014, noise = 5e-5;  // m
+constexpr double d = 0.002, noise = 5e-5;  // m
 
 rigs::Heap poured(const rigs::PileSetup& s) {
     static std::map<std::vector<double>, rigs::Heap> known;  // by what differs here
@@ -27,31 +27,11 @@ rigs::Heap poured(const rigs::PileSetup& s) {
     return known[key] = rigs::record(run, s).heap;
 }
 
-cases::Value text(const std::string& key, const std::string& value) {
-    return {.where = key, .kind = cases::Value::Kind::text, .written_text = value};
-}
-
 // Grains so soft (E/(rho g d) = 4e3) that steps are long: both sides have them.
 cases::Case sixty(double weights, std::uint64_t seed) {
-    cases::Case c;
-    c.path = "sixty";
-    cases::Experiment e;
-    e.rig = "pile";
-    e.grain.diameter.value = scaling::Length::from_value(d);
-    e.grain.density.value = scaling::Density::from_value(2500.0);
-    e.grain.youngs_modulus.value = scaling::Pressure::from_value(2e5);
-    e.grain.poisson_ratio.value = scaling::Dimensionless(0.25);
-    e.plate = {scaling::Pressure::from_value(2e5), scaling::Dimensionless(0.25)};
-    e.surroundings.gravity = scaling::Acceleration::from_value(9.81);
-    e.conditions.members = {{"base", text("base", "glued_grains")},
-                            {"base_diameter", text("base_diameter", "14 mm")},
-                            {"grains", {.where = "grains", .kind = cases::Value::Kind::number}}};
-    e.conditions.members.back().second.written_number = 60.0;
-    e.noise = {{"z", noise}};
-    c.grain = e.grain;
-    c.model.physics = {"gravity", "hertz_mindlin"};
-    c.model.parameters = {{"restitution", {0.4, "1", {}}},
-                          {"sliding_friction", {0.4, "1", std::pair{0.15, 0.9}}}};
+    const pile_case::Heaps sixty{"sixty", d, 2e5, "14 mm", 60.0, noise, 0.4, {0.15, 0.9}};
+    cases::Case c = pile_case::without_recordings(sixty);
+    cases::Experiment e = pile_case::experiment(sixty);
     rigs::World truth = rigs::world_of(c, e);
     if (weights > 0.0) {
         const double weight = 2500.0 * std::numbers::pi / 6.0 * d * d * d * 9.81;
@@ -60,19 +40,11 @@ cases::Case sixty(double weights, std::uint64_t seed) {
             weights * weight / (1.5 * std::numbers::pi * d / 4.0);
     }
     std::mt19937_64 random(seed);
-    std::normal_distribution<double> normal;
     for (std::uint64_t k = 0; k < 2; ++k) {
         const rigs::Heap heap =
             poured(rigs::pile_setup(diagnose::in_world(c, truth), e, 10 * seed + k));
-        std::vector<double> azimuth, r;
-        for (int a = 0; a < 16; ++a)
-            for (int n = 0; n < 28; ++n)
-                azimuth.push_back(2.0 * std::numbers::pi * a / 16), r.push_back((n + 0.5) * d / 8);
-        std::vector<double> z = rigs::heights_at(heap, azimuth, r);
-        for (double& v : z) v += noise * normal(random);
         e.id = "heap-" + std::to_string(k + 1);
-        e.recording = cases::Recording{
-            {{"azimuth", "rad", azimuth, {}}, {"r", "m", r, {}}, {"z", "m", z, {}}}};
+        e.recording = pile_case::scan(heap, 16, 28, d / 8, noise, random);
         c.experiments.push_back(e);
     }
     return c;

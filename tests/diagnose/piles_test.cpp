@@ -2,7 +2,7 @@
 // The whole judge on heaps that are not poured but made up: cones whose slope follows the friction, and whose foot and roughness
 // follow the adhesion, so that every answer is known beforehand.
 #include "diagnose/diagnose.hpp"
-#include "rigs/scanner.hpp"
+#include "tests/diagnose/pile_case.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -49,40 +49,13 @@ rigs::Heap of(const rigs::PileSetup& s) {
 
 cases::Recording recording(const rigs::Heap& heap, unsigned seed) {
     std::mt19937_64 random(seed);
-    std::normal_distribution<double> normal;
-    std::vector<double> azimuth, r;
-    for (int a = 0; a < 12; ++a)
-        for (int k = 0; k < 40; ++k)
-            azimuth.push_back(2.0 * pi * a / 12), r.push_back((k + 0.5) * base / 80.0);
-    std::vector<double> z = rigs::heights_at(heap, azimuth, r);
-    for (double& v : z) v += noise * normal(random);
-    return {{{"azimuth", "rad", azimuth, {}}, {"r", "m", r, {}}, {"z", "m", z, {}}}};
-}
-
-cases::Value text(const std::string& key, const std::string& value) {
-    return {.where = key, .kind = cases::Value::Kind::text, .written_text = value};
+    return pile_case::scan(heap, 12, 40, base / 80.0, noise, random);
 }
 
 cases::Case piles(double friction, double bond, unsigned seed) {
-    cases::Case c;
-    c.title = "cones", c.path = "cones";
-    cases::Experiment e;
-    e.rig = "pile";
-    e.grain.diameter.value = scaling::Length::from_value(d);
-    e.grain.density.value = scaling::Density::from_value(2500.0);
-    e.grain.youngs_modulus.value = scaling::Pressure::from_value(5e6);
-    e.grain.poisson_ratio.value = scaling::Dimensionless(0.25);
-    e.plate = {scaling::Pressure::from_value(5e6), scaling::Dimensionless(0.25)};
-    e.surroundings.gravity = scaling::Acceleration::from_value(9.81);
-    e.conditions.members = {{"base", text("base", "glued_grains")},
-                            {"base_diameter", text("base_diameter", "24 mm")},
-                            {"grains", {.where = "grains", .kind = cases::Value::Kind::number}}};
-    e.conditions.members.back().second.written_number = 20.0;
-    e.noise = {{"z", noise}};
-    c.grain = e.grain;
-    c.model.physics = {"gravity", "hertz_mindlin"};
-    c.model.parameters = {{"restitution", {0.5, "1", {}}},
-                          {"sliding_friction", {0.4, "1", std::pair{0.1, 0.9}}}};
+    const pile_case::Heaps cones{"cones", d, 5e6, "24 mm", 20.0, noise, 0.5, {0.1, 0.9}};
+    cases::Case c = pile_case::without_recordings(cones);
+    cases::Experiment e = pile_case::experiment(cones);
     for (unsigned k = 0; k < 2; ++k) {
         e.id = "heap-" + std::to_string(k + 1);
         e.recording = recording(cone(friction, bond, 1000 * seed + k), 77 * seed + k);

@@ -3,11 +3,10 @@
 #include "dem_min/checkpoint.hpp"
 #include "scaling/errors.hpp"
 #include "scaling/schemes.hpp"
+#include "tests/dem_min/temporary_file.hpp"
 #include "tests/rigs/flow_case.hpp"
 
 #include <cmath>
-#include <filesystem>
-#include <unistd.h>
 
 using rigs::FlowRun;
 using rigs::FlowSetup;
@@ -31,12 +30,6 @@ FlowSetup small_drum() {
                          "rotation_speed": "10 rad/s", "fill_fraction": 0.35)",
                       "t [s],angle [deg]\n0,0\n0.2,20\n0.4,20\n");
 }
-
-struct TemporaryFile {
-    std::filesystem::path path = std::filesystem::temp_directory_path() /
-                                 ("similitude_flow_" + std::to_string(::getpid()) + ".bin");
-    ~TemporaryFile() { std::filesystem::remove(path); }
-};
 
 void check_same(const FlowRun& a, const FlowRun& b) {
     CHECK(dem_min::state_hash(a.simulation) == dem_min::state_hash(b.simulation));
@@ -95,7 +88,7 @@ TEST_CASE("a flow resumed from a checkpoint gives the bits of one never interrup
     while (whole.state.released < 0) rigs::advance(whole, s, 500);
     rigs::advance(whole, s, 900);
     REQUIRE(!whole.state.finished);
-    const TemporaryFile file;
+    const samples::TemporaryFile file;
     dem_min::write_checkpoint(whole.simulation, file.path);
     FlowRun resumed = rigs::begin_flow(s, 1);
     rigs::restore(resumed, s, whole.state);
