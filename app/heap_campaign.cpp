@@ -129,10 +129,10 @@ class Work {
         for (const prove::DesignPour& d : design(f, a)) {
             const std::string name =
                 fmt::format("family-{}-{}-{:02}.txt", f.number, at.id, tasks.size());
-            tasks.push_back(
-                {{at.grain, at.rig, prove::with_effect(d.effect, d.strength, d.friction), d.seed},
-                 &at.spots,
-                 home() / "heaps" / name});
+            tasks.push_back({{at.grain, at.rig,
+                              prove::with_effect(f, d.effect, d.strength, d.friction), d.seed},
+                             &at.spots,
+                             home() / "heaps" / name});
         }
         return tasks;
     }

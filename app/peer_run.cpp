@@ -4,6 +4,7 @@
 #include "app/forward_curves.hpp"
 #include "app/progress.hpp"
 #include "cases/csv.hpp"
+#include "engines/lammps_run.hpp"
 #include "engines/nearest.hpp"
 #include "engines/one_throw.hpp"
 #include "engines/pile_run.hpp"
@@ -40,6 +41,10 @@ reports::Json engine_json(const Peer& peer, const std::string& release, int rank
             {"command", engines::command_line(command)},
             {"deck", (deck.filename() / name).string()},
             {"log", (deck.filename() / peer.log).string()}};
+}
+
+std::string words_of(const Peer& peer, const std::string& release) {
+    return peer.name == "lammps" ? engines::words_of_release(release) : "";
 }
 
 // What only our own core can do.
@@ -86,6 +91,8 @@ ExperimentRun pile_in_peer(const PileTask& task, const EngineChoice& choice) {
     if (result.end) {
         rigs::PileRecord& record = result.end->record;
         for (std::string& said : off) record.notes.push_back(std::move(said));
+        if (std::string said = words_of(peer, result.release); !said.empty())
+            record.notes.push_back(std::move(said));
         run.tables = write_pile(task.plan.folder, task.plan.id, record);
         run.section = reports::pile_section(task.plan.id, record);
         run.result = reports::to_json(record);
@@ -111,6 +118,8 @@ ExperimentRun curves_in_peer(const Case& c, const Experiment& e, const std::file
             run.section->notes.push_back(result.note);
             run.result["note"] = result.note;
         }
+        if (const std::string said = words_of(peer, result.release); !said.empty())
+            run.section->notes.push_back(said);
     }
     run.result["engine"] =
         engine_json(peer, result.release, 1, result.command, folder, result.deck);

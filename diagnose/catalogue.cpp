@@ -220,7 +220,9 @@ void add_measurement(std::vector<Term>& list, const Problem& p, const Sizes& s) 
     for (const std::string& c : s.channels) {
         if (!camera || (c != "z" && c != "x")) list.push_back(scale_of(c));
         if (over_drive) continue;  // the base line is refitted
-        const double widest = 0.3 * channel_range(p, c);
+        // Where a heap's heights begin is seen to a grain or two; low heaps are no higher than that.
+        const double widest = std::max(0.3 * channel_range(p, c),
+                                       s.rigs.contains("pile") && c == "z" ? 4.0 * s.radius : 0.0);
         if (!(widest > 0.0)) continue;
         Unknown u = range("offset", unit_of_channel(c), -widest, widest, 0.0);
         u.target = Target::offset, u.key = c;

@@ -164,13 +164,14 @@ Verdict diagnose(const cases::Case& stated, const Settings& settings,
     }
     const Candidate* found = &judged(*judge, words_of_held_back);
     if (piles) {
-        // Where fresh heaps are not what the emulator said they are told to it, and all is judged once more.
-        if (!confirm_by_fresh_heaps(*judge, *found)) {
+        // Where fresh heaps are not what the emulator said, more are told to it, and all is judged once more.
+        if (const Confirmed c = confirm_by_fresh_heaps(*judge, *found);
+            !c.foreseen || !c.recorded) {
             learn_about(*judge, *found);
             judge = std::make_unique<Judge>(given, settings, piles.get());
             judge->verdict.title = given.title, judge->verdict.seed = settings.seed;
             found = &judged(*judge, words_of_held_back);
-            if (!confirm_by_fresh_heaps(*judge, *found)) withdraw_names(judge->verdict);
+            if (!confirm_by_fresh_heaps(*judge, *found).recorded) withdraw_names(judge->verdict);
         }
         for (std::string& w : piles->words()) judge->verdict.warnings.push_back(std::move(w));
     }

@@ -27,6 +27,19 @@ double shown(const Candidate& c, const Candidate& base) {
 
 }  // namespace
 
+std::vector<Hypothesis> prior_hypotheses(const std::vector<std::string>& effects) {
+    const double all = prior_none + prior_unknown + prior_singles;
+    std::vector<Hypothesis> list{{{}, prior_none / all}};
+    for (const std::string& e : effects)
+        list.push_back({{e}, prior_singles / all / static_cast<double>(effects.size())});
+    list.push_back({{"unknown"}, prior_unknown / all});
+    if (effects.empty()) list.front().probability += prior_singles / all;
+    std::stable_sort(list.begin(), list.end(), [](const Hypothesis& a, const Hypothesis& b) {
+        return a.probability > b.probability;
+    });
+    return list;
+}
+
 std::vector<Group> groups_of(const Judge& j) {
     std::map<std::vector<std::string>, std::vector<const Candidate*>> sorted;
     const auto add = [&](const Candidate& c) {

@@ -17,6 +17,9 @@ struct Group {
     double probability = 0.0;
 };
 
+// What is believed before any recording: nothing left out, something unknown, or one of these effects. Pairs are not listed.
+std::vector<Hypothesis> prior_hypotheses(const std::vector<std::string>& effects);
+
 // Falling log_weight. Priors: docs/diagnose.md.
 std::vector<Group> groups_of(const Judge&);
 

@@ -6,13 +6,17 @@
 #include "diagnose/catalogue.hpp"
 #include "diagnose/hypotheses.hpp"
 #include "diagnose/next_experiment.hpp"
+#include "diagnose/pile_profile.hpp"
 #include "diagnose/words.hpp"
+#include "statistics/intervals.hpp"
 
 #include <Eigen/Cholesky>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numbers>
 #include <random>
 
 namespace diagnose {
@@ -26,7 +30,7 @@ constexpr int rounds = 2;
 constexpr std::size_t hypotheses_asked = 4, heaps_each = 3;
 constexpr double worth_asking = 12.0;  // log evidence behind the best
 constexpr int fresh_heaps = 8;
-constexpr double told_apart = 9.0;      // chi squared: 3 sigma
+constexpr double told_apart = 4.4;      // chi squared: odds of nine to one
 constexpr double contradicted = 0.003;  // p-value
 
 // Worlds about a fit, spread as its covariance says; for every pile that an emulator knows.
@@ -53,6 +57,29 @@ void ask(std::vector<Piles::Asked>& list, const Problem& p, const Candidate& c, 
             to_theta(c.h.unknowns, to_u(c.h.unknowns, to_theta(c.h.unknowns, there)));
         for (const Record* r : asked) list.push_back({r->experiment, world_at(p, c.h, theta, *r)});
     }
+}
+
+// What the instrument adds to each recording's numbers, by this fit, to what the heap itself shows.
+std::vector<VectorXd> added_by_instrument(const Problem& p, const Candidate& c,
+                                          const std::vector<const Record*>& list) {
+    std::vector<VectorXd> all;
+    for (const Record* r : list) {
+        const rigs::Curves bare =
+            r->model->predict(world_at(p, c.h, c.fit.theta, *r), r->ordinates);
+        const auto rings = static_cast<Index>(r->ordinates.at.size());
+        VectorXd added = VectorXd::Zero(static_cast<Index>(Rings::channels().size()) * rings);
+        for (std::size_t k = 0; k < Rings::channels().size(); ++k)
+            for (const Channel& channel : r->channels) {
+                if (channel.name != Rings::channels()[k]) continue;
+                const std::vector<double>& heap = bare.at(channel.name);
+                for (Index i = 0; i < rings; ++i)
+                    added[static_cast<Index>(k) * rings + i] =
+                        c.fit.prediction[static_cast<Index>(channel.first) + i] -
+                        heap[static_cast<std::size_t>(i)];
+            }
+        all.push_back(std::move(added));
+    }
+    return all;
 }
 
 // Fresh heaps of the runner-up are as near to the recordings as those of the found model.
@@ -102,41 +129,53 @@ void ask_where_it_matters(const Piles& piles, const cases::Case& c, const Settin
     }
 }
 
-bool confirm_by_fresh_heaps(Judge& j, const Candidate& found) {
+Confirmed confirm_by_fresh_heaps(Judge& j, const Candidate& found) {
     const Problem& p = j.problem;
-    std::vector<const Record*> piles;  // of one apparatus
-    for (const Record& r : p.records)
-        if (r.covariance.size() > 0 &&
-            (piles.empty() || p.piles->same_apparatus(*piles.front()->experiment, *r.experiment)))
-            piles.push_back(&r);
-    if (piles.empty()) return true;
+    std::vector<std::vector<const Record*>> piles;  // by apparatus
+    for (const Record& r : p.records) {
+        if (r.covariance.size() == 0 || !p.piles->knows(*r.experiment)) continue;
+        const auto same =
+            std::find_if(piles.begin(), piles.end(), [&](const std::vector<const Record*>& list) {
+                return p.piles->same_apparatus(*list.front()->experiment, *r.experiment);
+            });
+        if (same == piles.end())
+            piles.push_back({&r});
+        else
+            same->push_back(&r);
+    }
+    if (piles.empty()) return {};
     const auto check = [&](const Candidate& c) {
-        const Piles::Check of =
-            p.piles->confirmed(piles, world_at(p, c.h, c.fit.theta, *piles.front()), fresh_heaps);
+        Piles::Check all{0, 1.0, 1.0, 0.0};
+        for (const std::vector<const Record*>& list : piles) {
+            const Piles::Check one =
+                p.piles->confirmed(list, world_at(p, c.h, c.fit.theta, *list.front()),
+                                   added_by_instrument(p, c, list), fresh_heaps);
+            all.heaps += one.heaps, all.chi_squared += one.chi_squared;
+            all.emulator = std::min(all.emulator, one.emulator);
+            all.recording = std::min(all.recording, one.recording);
+        }
+        const auto looks = static_cast<double>(piles.size());
+        all.emulator = std::min(1.0, looks * all.emulator);
+        all.recording = std::min(1.0, looks * all.recording);
         j.verdict.warnings.push_back(fmt::format(
-            "{} fresh heaps with {}: their mean is what the emulator says with p = {:.2g}, {} is "
-            "one of them with p = {:.2g}.",
-            of.heaps, plain_name(c.name()), of.emulator, piles.front()->experiment->id,
-            of.recording));
-        return of;
+            "{} fresh heaps with {}: their means are what the emulator says with p = {:.2g}, the "
+            "recordings are of their kind with p = {:.2g}.",
+            all.heaps, plain_name(c.name()), all.emulator, all.recording));
+        return all;
     };
     j.report(0.93, "fresh heaps");
-    // What an instrument did is in no heap.
-    const auto measured = [](const Candidate& c) {
-        return std::any_of(c.h.terms.begin(), c.h.terms.end(),
-                           [](const Term* t) { return is_measurement(t->effect); });
-    };
     const Piles::Check of = check(found);
-    bool foreseen = of.emulator >= contradicted;
-    const bool named = j.verdict.answer == Answer::explained && !measured(found);
+    Confirmed confirmed{of.emulator >= contradicted, of.recording >= contradicted};
     for (const Group& g : groups_of(j)) {
-        if (g.best->h.terms == found.h.terms || measured(*g.best)) continue;
+        if (g.best->h.terms == found.h.terms) continue;
         const Piles::Check other = check(*g.best);
-        foreseen = foreseen && other.emulator >= contradicted;
-        if (named && other.chi_squared - of.chi_squared < told_apart) make_ambiguous(j, found, g);
+        confirmed.foreseen = confirmed.foreseen && other.emulator >= contradicted;
+        if (j.verdict.answer == Answer::explained &&
+            other.chi_squared - of.chi_squared < told_apart)
+            make_ambiguous(j, found, g);
         break;
     }
-    return foreseen && (!named || of.recording >= contradicted);
+    return confirmed;
 }
 
 void learn_about(const Judge& j, const Candidate& found) {
@@ -152,10 +191,46 @@ void learn_about(const Judge& j, const Candidate& found) {
 }
 
 void withdraw_names(Verdict& v) {
-    v.warnings.push_back("Fresh heaps contradict what the emulator said: nothing is named.");
+    v.warnings.push_back(
+        "The recordings are not like fresh heaps of what was found: nothing is named.");
     if (v.answer == Answer::explained) v.answer = Answer::undecided;
     for (Effect& e : v.effects) e.named = false;
 }
+
+namespace {
+
+// What angles say, and what they cannot.
+std::vector<std::string> words_of_angles(const std::vector<double>& angles,
+                                         const std::vector<Axis>& free,
+                                         const std::vector<std::string>& effects) {
+    constexpr double degrees = 180.0 / std::numbers::pi;
+    std::vector<std::string> list;
+    if (angles.size() > 1) {
+        const statistics::Summary s = statistics::summary(angles);
+        const statistics::Interval i = statistics::student_interval(s, 0.95);
+        list.push_back(fmt::format(
+            "What {} angles say: their mean is {:.1f} deg, {:.1f} to {:.1f} deg with 95 % "
+            "confidence, and single heaps scatter by {:.1f} deg.",
+            s.count, s.mean * degrees, i.low * degrees, i.high * degrees,
+            s.standard_deviation * degrees));
+    }
+    std::vector<std::string> names;
+    for (const Axis& a : free) names.push_back(plain_name(a.parameter));
+    std::string text = "What they cannot: they are one number, and many kinds of physics meet it.";
+    if (!names.empty())
+        text += fmt::format(" Of the {} free parameters ({}) they fix one combination at most.",
+                            names.size(), fmt::join(names, ", "));
+    if (!effects.empty()) {
+        std::vector<std::string> plain;
+        for (const std::string& e : effects) plain.push_back(plain_name(e));
+        text += fmt::format(" And {} could each be given the strength that makes this angle.",
+                            fmt::join(plain, ", "));
+    }
+    list.push_back(text + " All probabilities are those from before any recording.");
+    return list;
+}
+
+}  // namespace
 
 bool only_angles(const cases::Case& c) {
     bool any = false;
@@ -171,19 +246,25 @@ Verdict undecided_by_angles(const cases::Case& c, const Settings& settings) {
     Verdict v;
     v.title = c.title, v.seed = settings.seed, v.answer = Answer::undecided, v.p_value = 1.0;
     const cases::Experiment* pile = nullptr;
-    for (const cases::Experiment& e : c.experiments)
-        if (pile == nullptr && !e.held_out && is_lone_angle(e)) pile = &e;
-    std::vector<std::string> effects{"none"};
-    for (const BulkEffect& e : bulk_effects(c, *pile)) effects.push_back(e.effect);
-    v.hypotheses.push_back({{}, 1.0});
-    v.warnings.push_back(fmt::format(
-        "Only angles of repose were recorded. One number is met by many kinds of physics: each of "
-        "{} can be given the strength that makes this angle, and so can the model's own free "
-        "parameters.",
-        fmt::join(effects.begin() + 1, effects.end(), ", ")));
+    std::vector<double> angles;  // rad
+    for (const cases::Experiment& e : c.experiments) {
+        if (e.held_out || !is_lone_angle(e)) continue;
+        if (pile == nullptr) pile = &e;
+        const std::vector<double>& one = e.recording->values("angle_of_repose");
+        std::copy_if(one.begin(), one.end(), std::back_inserter(angles),
+                     [](double angle) { return std::isfinite(angle); });
+    }
+    std::vector<std::string> singles;
+    for (const BulkEffect& e : bulk_effects(c, *pile)) singles.push_back(e.effect);
+    v.hypotheses = prior_hypotheses(singles);
+    std::vector<std::string> between{"none"};
+    between.insert(between.end(), singles.begin(), singles.end());
+    v.warnings = words_of_angles(angles, free_axes(c, *pile), singles);
     const double d = pile->grain.diameter.value.value();
     const double radius =
         0.5 * pile->conditions.at("base_diameter").quantity<scaling::Length>().value();
+    // Grain by grain on a small base; on a large one as fine as its shape needs.
+    const double radii = std::clamp(radius / d, 8.0, 64.0);
     NextExperiment next{.rig = "pile",
                         .conditions = {},
                         .grain = {},
@@ -192,13 +273,14 @@ Verdict undecided_by_angles(const cases::Case& c, const Settings& settings) {
                         .ordinate_unit = "m",
                         .from = 0.0,
                         .to = radius,
-                        .rows = static_cast<int>(std::lround(12.0 * std::max(8.0, radius / d))),
+                        .rows = 12 * static_cast<int>(std::lround(radii)),
                         .noise = {{"z", 0.05 * d}},
-                        .between = effects,
+                        .between = between,
                         .separation_sigma = std::nan(""),
                         .why =
                             "The same heap, its height along twelve radii: the whole profile, "
-                            "its lean and its roughness tell apart what gives one angle."};
+                            "its lean and its roughness tell apart what gives one angle, and no "
+                            "heap more has to be poured."};
     for (const auto& [key, value] : pile->conditions.members)
         if (!value.written_text.empty()) next.conditions[key] = value.written_text;
     v.next_experiment = std::move(next);

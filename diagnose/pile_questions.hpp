@@ -11,15 +11,19 @@ namespace diagnose {
 // Two rounds: the user's model and every single effect are fitted by the emulator, and heaps poured where the likeliest of them end.
 void ask_where_it_matters(const Piles&, const cases::Case&, const Settings&);
 
-// Fresh heaps of the found model and of the runner-up beside the recordings of the first pile; a warning tells how they compare.
-// Where the runner-up's are as near, the verdict becomes ambiguous. False where either are not what the emulator said, or where
-// the recording is none of those of a named model.
-bool confirm_by_fresh_heaps(Judge&, const Candidate& found);
+struct Confirmed {
+    bool foreseen =
+        true;  // fresh heaps of the found model and of the runner-up are what the emulator said
+    bool recorded = true;  // the recordings are of the kind of the found model's
+};
+// Fresh heaps of the found model and of the runner-up, in every apparatus, with what the instrument adds by their fits; a warning
+// tells how they compare. Where the runner-up's are as near to the recordings, the verdict becomes ambiguous.
+Confirmed confirm_by_fresh_heaps(Judge&, const Candidate& found);
 
 // More heaps where the found model and the runner-up end.
 void learn_about(const Judge&, const Candidate& found);
 
-// Where fresh heaps contradict to the end nothing is named.
+// Where the found model's fresh heaps are to the end not like the recordings nothing is named.
 void withdraw_names(Verdict&);
 
 // Every recording to be fitted is a pile's angle.

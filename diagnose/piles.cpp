@@ -319,31 +319,36 @@ double Piles::learn(const std::vector<Asked>& all, bool last) const {
 }
 
 Piles::Check Piles::confirmed(const std::vector<const Record*>& records, const rigs::World& w,
-                              int heaps) const {
+                              const std::vector<VectorXd>& added, int heaps) const {
     const double many = static_cast<double>(heaps);
     const cases::Experiment& first = *records.front()->experiment;
     const std::vector<rigs::Heap> poured =
         in_->pourer.pour(in_->view_of(first).family->experiment, w, fresh_seeds, heaps);
     Check check{heaps, 1.0, 1.0, 0.0};
-    for (const Record* r : records) {
+    double numbers = 0.0;
+    for (std::size_t k = 0; k < records.size(); ++k) {
+        const Record* r = records[k];
         Inside::View& v = in_->view_of(*r->experiment);
-        const VectorXd recorded = v.rings.reduced(scan_of(*r->experiment->recording).z, true);
-        VectorXd mean = VectorXd::Zero(recorded.size());
+        const VectorXd bare =
+            v.rings.reduced(scan_of(*r->experiment->recording).z, true) - added[k];
+        VectorXd mean = VectorXd::Zero(bare.size());
         for (const rigs::Heap& heap : poured) mean += in_->numbers_of(v, heap) / many;
-        const MatrixXd one = v.emulator->covariance(recorded);
-        const double own = v.emulator->share_of_error(recorded);
+        const double own = v.emulator->share_of_error(bare);
+        const MatrixXd one = v.emulator->covariance(bare);
+        MatrixXd seeds = one;  // less what is the emulator's error
+        seeds(v.numbers.moved, v.numbers.moved) *= 1.0 - own;
         std::vector<Index> all = v.numbers.moved;
         all.insert(all.end(), v.numbers.lean.begin(), v.numbers.lean.end());
         all.insert(all.end(), v.numbers.across.begin(), v.numbers.across.end());
-        const double away =
-            distance(recorded - mean, one * (1.0 + 1.0 / many) + v.rings.instrument(), all);
-        check.chi_squared += away;
-        if (r != records.front()) continue;
+        check.chi_squared +=
+            distance(bare - mean, seeds * (1.0 + 1.0 / many) + v.rings.instrument(), all);
+        numbers += static_cast<double>(all.size());
+        if (k > 0) continue;
         const double off =
-            distance(mean - in_->foreseen(v, w), one * ((1.0 - own) / many + own), v.numbers.moved);
+            distance(mean - in_->foreseen(v, w), seeds / many + one * own, v.numbers.moved);
         check.emulator = upper_tail(off, static_cast<double>(v.numbers.moved.size()));
-        check.recording = upper_tail(away, static_cast<double>(all.size()));
     }
+    check.recording = upper_tail(check.chi_squared, numbers);
     return check;
 }
 

@@ -44,11 +44,12 @@ class Piles {
     struct Check {
         int heaps;
         double emulator;     // p-value of the mean of fresh heaps under what the emulator says
-        double recording;    // p-value of the first recording under these fresh heaps
+        double recording;    // p-value of all recordings under these fresh heaps
         double chi_squared;  // of all recordings about the fresh heaps
     };
-    // Fresh heaps in one world, beside recordings of one apparatus.
-    Check confirmed(const std::vector<const Record*>&, const rigs::World&, int heaps) const;
+    // Fresh heaps in one world, beside recordings of one apparatus. `added` by the instrument to the numbers of each.
+    Check confirmed(const std::vector<const Record*>&, const rigs::World&,
+                    const std::vector<Eigen::VectorXd>& added, int heaps) const;
 
     int heaps_poured() const;
     double softening() const;                // least E'/E; 1: none

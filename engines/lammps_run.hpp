@@ -16,6 +16,9 @@ std::string lammps_release(const std::string& output);
 // The same of the program itself, without a deck.
 std::string installed_release(const std::filesystem::path& lmp);
 
+// What to say of results of this release: empty of that which the decks were written for and are checked with.
+std::string words_of_release(const std::string& release);
+
 // The error lines of an output, or its last one where there is none.
 std::string lammps_complaint(const std::string& output);
 

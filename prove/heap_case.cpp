@@ -72,7 +72,7 @@ HeapSecret heap_secret(std::uint64_t seed, const HeapPlan& given, const HeapFami
 std::vector<HeapRecording> heap_recordings(std::uint64_t seed, const HeapPlan& p,
                                            const HeapFamily& f) {
     std::vector<HeapRecording> all;
-    const HeapPhysics acts = with_effect(p.effect, p.strength, p.friction, p.azimuth);
+    const HeapPhysics acts = with_effect(f, p.effect, p.strength, p.friction, p.azimuth);
     for (std::size_t a = 0; a < f.arrangements.size(); ++a) {
         const bool last = a + 1 == f.arrangements.size();
         for (int k = 1; k <= (last ? 1 : repeats); ++k) {
@@ -90,9 +90,9 @@ std::vector<double> recorded(std::uint64_t seed, const HeapPlan& p, const Arrang
                              const std::vector<double>& heights, std::size_t recording) {
     Dice dice(seed, static_cast<std::uint64_t>(p.number), 200 + recording);
     std::vector<double> rows;
-    for (const double z : heights)
-        rows.push_back(z + (p.effect == "measurement_offset" ? p.strength : 0.0) +
-                       a.noise * dice.normal());
+    const double offset = p.effect == "measurement_offset" ? p.strength : 0.0;
+    const double scale = p.effect == "measurement_scale" ? 1.0 + p.strength : 1.0;
+    for (const double z : heights) rows.push_back(scale * z + offset + a.noise * dice.normal());
     return rows;
 }
 
@@ -115,15 +115,18 @@ std::map<std::string, std::string> heap_files(const HeapPlan& p, const HeapFamil
             r.held_out ? "held_out" : "fit");
         files[r.id + ".csv"] = csv_of(a, rows[k]);
     }
+    const bool spread = f.size_spread > 0.0;
     files["case.json"] = fmt::format(
         "{{\n  \"format\": \"similitude-case/1\",\n  \"title\": {},\n  \"grain\": {},\n"
         "  \"surroundings\": {{\"gravity\": \"9.81 m/s^2\"}},\n"
-        "  \"model\": {{\"physics\": [\"gravity\", \"hertz_mindlin\"],\n    \"parameters\": "
-        "{{\"restitution\": {{\"value\": {:.4g}}},\n      \"sliding_friction\": {{\"value\": "
+        "  \"model\": {{\"physics\": [\"gravity\", \"hertz_mindlin\"{}],\n    \"parameters\": "
+        "{{\"restitution\": {{\"value\": {:.4g}}},{}\n      \"sliding_friction\": {{\"value\": "
         "{:.4g}, "
         "\"range\": [{:.4g}, {:.4g}]}}}}}},\n  \"experiments\": [\n{}\n  ]\n}}\n",
-        json_text(case_name(p.number)), grain_of(common), common.restitution, p.start, f.low,
-        f.high, experiments);
+        json_text(case_name(p.number)), grain_of(common), spread ? ", \"polydispersity\"" : "",
+        common.restitution,
+        spread ? fmt::format(" \"size_spread\": {{\"value\": {:.4g}}},", f.size_spread) : "",
+        p.start, f.low, f.high, experiments);
     return files;
 }
 
@@ -136,11 +139,12 @@ Key heap_key(const HeapSecret& s, const HeapFamily& f, const std::vector<Respons
     key.subkind = p.kind == HeapKind::cancelling ? "cancelling" : "plain";
     key.rig = "pile";
     if (p.kind != HeapKind::null) {
-        key.effects = {p.effect}, key.channels = {p.effect == "measurement_offset" ? "z" : ""};
+        key.effects = {p.effect}, key.channels = {acts_among_grains(p.effect) ? "" : "z"};
+        const double value = p.effect == "measurement_scale" ? 1.0 + p.strength : p.strength;
         for (const HeapEffect& e : heap_effects(f))
             if (e.name == p.effect)
                 key.parameters = {
-                    {p.effect, key.channels.front(), e.parameter, e.unit, p.strength, 0.0}};
+                    {p.effect, key.channels.front(), e.parameter, e.unit, value, 0.0}};
     }
     key.parameters.push_back({"model", "", "sliding_friction", "1", p.friction, 0.0});
     key.lambda = p.kind == HeapKind::null ? 0.0 : s.oracle.lambda;

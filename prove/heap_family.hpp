@@ -24,6 +24,8 @@ struct HeapFamily {
     int number;                             // from 1
     std::vector<Arrangement> arrangements;  // the last one is held out
     double low = 0.15, high = 0.9;          // range of the user's sliding friction
+    // Standard deviation over mean diameter, known to the user: of a sieve's cut in odd families; 0 in even ones.
+    double size_spread = 0.0;
 };
 
 constexpr int family_size = 20;
@@ -37,12 +39,15 @@ struct HeapEffect {
     std::string name, parameter, unit;
     double low, high;
 };
-// adhesion, rolling_resistance, polydispersity, tilt, measurement_offset.
+// adhesion, rolling_resistance, polydispersity (where the user knows of one size), tilt, measurement_offset, measurement_scale (of
+// which the strength is scale - 1).
 std::vector<HeapEffect> heap_effects(const HeapFamily&);
+bool acts_among_grains(
+    const std::string& effect);  // else in the instrument, on either side of nothing
 
-// The physics of an effect of a strength beside a friction; measurement_offset is none.
-HeapPhysics with_effect(const std::string& effect, double strength, double friction,
-                        double azimuth = 0.0);
+// The physics of an effect of a strength beside a friction; what the instrument does is none.
+HeapPhysics with_effect(const HeapFamily&, const std::string& effect, double strength,
+                        double friction, double azimuth = 0.0);
 
 enum class HeapKind { null, single, cancelling };
 struct HeapPlan {

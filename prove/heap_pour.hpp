@@ -35,6 +35,9 @@ struct Pour {
     std::uint64_t seed;
 };
 
+// What `damping tsuji` of the release of 29 Sep 2021 must be told for impacts of restitution e.
+double restitution_told(double e);
+
 // deck.in and grains.data, for the release of 29 Sep 2021. The heap at rest goes to heap.dump.
 std::map<std::string, std::string> lammps_files(const Pour&);
 

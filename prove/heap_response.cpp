@@ -22,8 +22,6 @@ constexpr std::array<double, 5> base_frictions{0.15, 0.25, 0.4, 0.6, 0.9};
 constexpr std::array<double, 3> effect_frictions{0.2, 0.42, 0.85};
 constexpr int base_seeds = 3;
 
-bool acts_among_grains(const std::string& effect) { return effect != "measurement_offset"; }
-
 Eigen::RowVector3d base_row(double friction) {
     const double x = std::log(friction);
     return {1.0, x, x * x};
@@ -200,6 +198,7 @@ VectorXd mean_features(const Response& r, const std::string& effect, double stre
         more[ring_count + 1] = along * std::sin(azimuth) + across * std::cos(azimuth);
         f += more;
     }
+    if (effect == "measurement_scale") f *= 1.0 + strength;
     return f;
 }
 
@@ -221,7 +220,7 @@ Oracle heap_oracle(const HeapFamily& f, const std::vector<Response>& responses,
         constexpr int strengths = 12, azimuths = 16;
         const int turns = e.name == "tilt" ? azimuths : 1;
         for (const double sign : {1.0, -1.0}) {
-            if (sign < 0.0 && e.name != "measurement_offset") continue;
+            if (sign < 0.0 && acts_among_grains(e.name)) continue;
             for (int k = 0; k < strengths; ++k)
                 for (int turn = 0; turn < turns; ++turn) {
                     const double s =

@@ -45,8 +45,8 @@ ScoreTable heap_score(const Keys& keys, const Verdicts& verdicts) {
               0.0, 1.0));
     lines.push_back(share("right name where the oracle can tell", ">= 85 %",
                           tally(all, tellable, right), 0.85, 1.0));
-    for (const char* effect :
-         {"adhesion", "rolling_resistance", "polydispersity", "tilt", "measurement_offset"})
+    for (const char* effect : {"adhesion", "rolling_resistance", "polydispersity", "tilt",
+                               "measurement_offset", "measurement_scale"})
         lines.push_back(share(
             "  of these", effect,
             tally(

@@ -101,6 +101,22 @@ TEST_CASE("an adhesion that was left out is named and its strength found", "[dia
     CHECK(v.fit->nrmse_extended < v.fit->nrmse_base);
 }
 
+TEST_CASE("a scanner that reads too high is found, and no physics in its place",
+          "[diagnose][piles]") {
+    const double offset = 0.0015;
+    cases::Case c = piles(0.4, 0.0, 5);
+    for (cases::Experiment& e : c.experiments)
+        for (cases::Column& column : e.recording->columns)
+            if (column.name == "z")
+                for (double& z : column.values) z += offset;
+    const diagnose::Verdict v = verdict_of(c);
+    REQUIRE(v.answer == Answer::explained);
+    REQUIRE(v.effects.size() == 1);
+    CHECK(v.effects[0].name == "measurement_offset");
+    CHECK(v.effects[0].parameters[0].low < offset);
+    CHECK(v.effects[0].parameters[0].high > offset);
+}
+
 TEST_CASE("the same seed and heaps give the same verdict", "[diagnose][piles]") {
     const cases::Case c = piles(0.4, 2.0, 3);
     const diagnose::Verdict a = verdict_of(c), b = verdict_of(c);
@@ -122,5 +138,16 @@ TEST_CASE("an angle of repose alone names nothing and asks for the profile", "[d
     CHECK(v.next_experiment->rig == "pile");
     CHECK(v.next_experiment->channels == std::vector<std::string>{"azimuth", "z"});
     CHECK(v.next_experiment->conditions.at("base_diameter") == "24 mm");
-    REQUIRE(!v.warnings.empty());
+    CHECK(v.next_experiment->rows == 12 * 8);  // six grains across the radius, eight spots at least
+    REQUIRE(v.warnings.size() == 2);
+    // Mean of the seven twice: 0.9286 rad, 53.20 deg.
+    CHECK(v.warnings[0].find("14 angles say: their mean is 53.2 deg") != std::string::npos);
+    CHECK(v.warnings[1].find("sliding friction") != std::string::npos);
+    double none = 0.0, all = 0.0;
+    for (const diagnose::Hypothesis& h : v.hypotheses) {
+        all += h.probability;
+        if (h.effects.empty()) none = h.probability;
+    }
+    CHECK(all == Approx(1.0));
+    CHECK(none == Approx(0.35 / 0.95));  // docs/diagnose.md, pairs apart
 }

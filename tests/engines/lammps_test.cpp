@@ -148,6 +148,10 @@ TEST_CASE("lammps: the release is read from the first line", "[engines][lammps]"
     CHECK(engines::lammps_release("LAMMPS (29 Sep 2021 - Update 2)\nTotal wall time\n") ==
           "29 Sep 2021 - Update 2");
     CHECK(engines::lammps_release("sh: lmp: not found") == "unknown");
+    // Decks are checked with one release, and its updates; of any other a run says so.
+    CHECK(engines::words_of_release("29 Sep 2021 - Update 2").empty());
+    for (const char* other : {"2 Aug 2023", "29 Oct 2020", "unknown"})
+        CHECK(engines::words_of_release(other).find(other) != std::string::npos);
 }
 
 TEST_CASE("lammps: where it is not installed the message names the package", "[engines][lammps]") {
