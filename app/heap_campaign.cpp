@@ -104,13 +104,18 @@ class Work {
         if (c_.common.write_only) return true;
         std::mutex guard;
         double done = 0.0;
-        // Families one after another: the judge, too, learns from one case for the next.
-        share(secrets.size(), c_.common.threads, stop_, [&](std::size_t k) {
-            judge(prove::case_name(secrets[k].plan.number));
+        const auto judged = [&](int number, int threads) {
+            judge(prove::case_name(number), threads);
             const std::lock_guard lock(guard);
-            show_(++done, static_cast<double>(secrets.size()),
-                  prove::case_name(secrets[k].plan.number));
-        });
+            show_(++done, static_cast<double>(secrets.size()), prove::case_name(number));
+        };
+        // A family's first case pours what the others find: alone, and with all threads.
+        for (const std::vector<int>& numbers : cases_) {
+            if (stop_) break;
+            judged(numbers.front(), c_.common.threads);
+            share(numbers.size() - 1, c_.common.threads, stop_,
+                  [&](std::size_t k) { judged(numbers[k + 1], 1); });
+        }
         return !stop_;
     }
 
@@ -210,13 +215,13 @@ class Work {
         prove::write(made, (home() / "cases").string(), (home() / "keys").string());
     }
 
-    void judge(const std::string& name) const {
+    void judge(const std::string& name, int threads) const {
         const Campaign& c = c_.common;
         const fs::path verdicts = home() / "verdicts";
         if (stop_ || (c.resume && fs::exists(ended(verdicts, name)))) return;
         judge_case({c.judge, "diagnose", (home() / "cases" / name).string(), "--heaps",
                     (home() / "judge-heaps").string(), "--seed", std::to_string(c.judge_seed),
-                    "--threads", "1"},
+                    "--threads", std::to_string(threads)},
                    verdicts, name, c.limit, stop_);
     }
 
