@@ -4,7 +4,6 @@
 #include "app/forward_curves.hpp"
 #include "app/progress.hpp"
 #include "cases/csv.hpp"
-#include "engines/lammps_run.hpp"
 #include "engines/nearest.hpp"
 #include "engines/one_throw.hpp"
 #include "engines/pile_run.hpp"
@@ -44,7 +43,7 @@ reports::Json engine_json(const Peer& peer, const std::string& release, int rank
 }
 
 std::string words_of(const Peer& peer, const std::string& release) {
-    return peer.name == "lammps" ? engines::words_of_release(release) : "";
+    return peer.words_of_release ? peer.words_of_release(release) : "";
 }
 
 // What only our own core can do.

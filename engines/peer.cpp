@@ -36,6 +36,7 @@ const std::vector<Peer>& peers() {
                  return lammps_release(
                      output.substr(std::min(output.find("LAMMPS ("), output.size())));
              },
+         .words_of_release = words_of_release,
          .complaint = lammps_complaint},
         {.name = "liggghts",
          .title = "LIGGGHTS",
@@ -52,6 +53,7 @@ const std::vector<Peer>& peers() {
                  return lammps_like_deck_command(program, ranks, "log.liggghts");
              },
          .release = liggghts_release,
+         .words_of_release = nullptr,
          .complaint = lammps_complaint},
         {.name = "yade",
          .title = "Yade",
@@ -65,6 +67,7 @@ const std::vector<Peer>& peers() {
          .apart = yade_apart,
          .command = yade_command,
          .release = yade_release,
+         .words_of_release = nullptr,
          .complaint = yade_complaint}};
     return all;
 }

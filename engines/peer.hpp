@@ -29,6 +29,8 @@ struct Peer {
     Deck (*apart)(const rigs::PileSetup&);
     std::vector<std::string> (*command)(const std::string& program, int ranks);
     std::string (*release)(const std::string& output);  // "unknown" where it does not say
+    std::string (*words_of_release)(
+        const std::string&);  // of one that decks are unchecked with; may be null
     std::string (*complaint)(const std::string& output);
 };
 

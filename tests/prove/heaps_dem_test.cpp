@@ -5,19 +5,15 @@
 #include "rigs/pile.hpp"
 #include "rigs/scanner.hpp"
 #include "statistics/equivalence.hpp"
+#include "tests/prove/lammps.hpp"
 
 #include <catch2/catch.hpp>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
+#include <vector>
 
 using namespace prove;
 
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr std::size_t heaps = 10;
 
@@ -26,28 +22,21 @@ struct Seen {
     std::vector<double> grains, height;  // that stay; mean of the scan over d
 };
 
-std::vector<double> scanned_mean(const std::vector<double>& z, double d, std::vector<double> all) {
+double mean_of(const std::vector<double>& z) {
     double sum = 0.0;
     for (const double v : z) sum += v;
-    all.push_back(sum / static_cast<double>(z.size()) / d);
-    return all;
+    return sum / static_cast<double>(z.size());
 }
 
-Seen by_lammps(const Arrangement& a, const HeapPhysics& acts, const fs::path& folder) {
+Seen by_lammps(const Arrangement& a, const HeapPhysics& acts, const Folder& folder) {
     Seen seen;
     for (std::size_t k = 0; k < heaps; ++k) {
-        for (const auto& [name, text] : lammps_files({a.grain, a.rig, acts, 100 + k}))
-            std::ofstream(folder / name) << text;
-        const std::string where = folder.string();
-        REQUIRE(std::system(("lmp -in " + where + "/deck.in -var folder " + where + " -log " +
-                             where + "/log -screen none")
-                                .c_str()) == 0);
-        std::ifstream in(folder / "heap.dump");
-        const std::vector<Ball> heap = read_heap({std::istreambuf_iterator<char>(in), {}});
+        run_lammps(folder, lammps_files({a.grain, a.rig, acts, 100 + k}));
+        const std::vector<Ball> heap = heap_in(folder);
         std::vector<double> z;
         for (const Spot& spot : a.spots) z.push_back(height_above(heap, spot));
         seen.grains.push_back(static_cast<double>(heap.size()));
-        seen.height = scanned_mean(z, a.grain.diameter, std::move(seen.height));
+        seen.height.push_back(mean_of(z) / a.grain.diameter);
     }
     return seen;
 }
@@ -62,8 +51,7 @@ Seen by_core(const Arrangement& a, const cases::Case& c) {
         while (!run.finished) rigs::advance(run, setup, 100'000);
         const rigs::Heap heap = rigs::record(run, setup).heap;
         seen.grains.push_back(static_cast<double>(heap.centre.size()));
-        seen.height = scanned_mean(rigs::heights_at(heap, azimuth, r), a.grain.diameter,
-                                   std::move(seen.height));
+        seen.height.push_back(mean_of(rigs::heights_at(heap, azimuth, r)) / a.grain.diameter);
     }
     return seen;
 }
@@ -78,16 +66,15 @@ TEST_CASE("heaps: LAMMPS' truth and our core pour the same where the physics is 
     const Arrangement& a = f.arrangements.front();
     HeapPlan plan = heap_plan(3, 1, f);
     plan.start = plan.friction = 0.5;
-    const fs::path folder = fs::temp_directory_path() / "similitude-heaps-both";
-    fs::remove_all(folder);
+    const Folder folder("similitude-heaps-both");
     const auto recordings = heap_recordings(3, plan, f);
     BlindCase made;
     made.files = heap_files(
         plan, f, recordings,
         std::vector<std::vector<double>>(recordings.size(), std::vector<double>(192, 1e-3)));
     made.key.name = "both", made.key_text = "{}";
-    write(made, folder / "cases", folder / "keys");
-    const cases::Case c = cases::read_case((folder / "cases" / "both" / "case.json").string());
+    write(made, folder.path / "cases", folder.path / "keys");
+    const cases::Case c = cases::read_case((folder.path / "cases" / "both" / "case.json").string());
     const Seen core = by_core(a, c), truth = by_lammps(a, with_effect(f, "", 0.0, 0.5), folder);
     for (const auto& [ours, theirs] :
          {std::pair{&core.grains, &truth.grains}, std::pair{&core.height, &truth.height}}) {
@@ -98,5 +85,4 @@ TEST_CASE("heaps: LAMMPS' truth and our core pour the same where the physics is 
                            << e.interval.high / mean.mean << "] of " << mean.mean);
         CHECK(e.equivalent);
     }
-    fs::remove_all(folder);
 }

@@ -2,6 +2,7 @@
 #include "cases/read_case.hpp"
 #include "prove/heap_case.hpp"
 #include "prove/score.hpp"
+#include "tests/prove/lammps.hpp"
 
 #include <Eigen/Dense>
 #include <catch2/catch.hpp>
@@ -21,22 +22,7 @@ using namespace prove;
 
 namespace {
 
-namespace fs = std::filesystem;
 constexpr double pi = std::numbers::pi;
-
-struct Folder {
-    fs::path path;
-    explicit Folder(const std::string& name) : path(fs::temp_directory_path() / name) {
-        fs::remove_all(path);
-        fs::create_directories(path);
-    }
-    ~Folder() { fs::remove_all(path); }
-};
-
-std::string content(const fs::path& path) {
-    std::ifstream in(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
 
 // Rings whose height goes with the friction, and one effect that lifts the first ring with its strength: all by hand.
 Response straight(const HeapFamily& f) {
@@ -207,24 +193,20 @@ TEST_CASE("heaps: a case can be read, holds one recording out and does not say w
 TEST_CASE("heaps: two grains that meet in LAMMPS part with the restitution of the powder",
           "[prove][heaps]") {
     const Folder folder("similitude-heaps-pair");
-    const fs::path log = folder.path / "log";
     for (const double e : {0.3, 0.5, 0.7}) {
-        std::ofstream(folder.path / "pair.in")
-            << "units si\natom_style sphere\natom_modify map array sort 0 0.0\nnewton off\n"
-               "comm_modify vel yes\nboundary f f f\nregion all block -0.01 0.01 -0.01 0.01 -0.01 "
-               "0.01 units box\n"
-               "create_box 1 all\ncreate_atoms 1 single 0 0 0.0021 units box\n"
-               "create_atoms 1 single 0 0 0 units box\nset group all diameter 0.002 density 2500\n"
-               "velocity all set 0 0 0 units box\nset atom 1 vz -0.1\npair_style granular\n"
-               "pair_coeff * * hertz/material 1e6 "
-            << restitution_told(e)
-            << " 0.25 damping tsuji tangential mindlin_rescale NULL 1.0 0.5\n"
-               "neighbor 0.0005 bin\ntimestep 1e-6\nfix 1 all nve/sphere\nthermo 100000\n"
-               "run 20000\nprint \"parted $(vz[1]-vz[2])\"\n";
-        REQUIRE(std::system(("lmp -in " + (folder.path / "pair.in").string() + " -log " +
-                             log.string() + " -screen none")
-                                .c_str()) == 0);
-        const std::string text = content(log);
+        std::ostringstream deck;
+        deck << "units si\natom_style sphere\natom_modify map array sort 0 0.0\nnewton off\n"
+                "comm_modify vel yes\nboundary f f f\nregion all block -0.01 0.01 -0.01 0.01 -0.01 "
+                "0.01 units box\n"
+                "create_box 1 all\ncreate_atoms 1 single 0 0 0.0021 units box\n"
+                "create_atoms 1 single 0 0 0 units box\nset group all diameter 0.002 density 2500\n"
+                "velocity all set 0 0 0 units box\nset atom 1 vz -0.1\npair_style granular\n"
+                "pair_coeff * * hertz/material 1e6 "
+             << restitution_told(e)
+             << " 0.25 damping tsuji tangential mindlin_rescale NULL 1.0 0.5\n"
+                "neighbor 0.0005 bin\ntimestep 1e-6\nfix 1 all nve/sphere\nthermo 100000\n"
+                "run 20000\nprint \"parted $(vz[1]-vz[2])\"\n";
+        const std::string text = run_lammps(folder, {{"deck.in", deck.str()}});
         const std::size_t at = text.rfind("\nparted ");
         REQUIRE(at != std::string::npos);
         // The manual's polynomial is a fit, good to some thousandths.
@@ -238,27 +220,24 @@ TEST_CASE("heaps: LAMMPS pours the deck, and what is left rests on the base", "[
            with_effect(f, "polydispersity", 0.2, 0.6), 9};
     p.acts.rolling_friction = 0.2, p.acts.tilt_angle = 0.03;
     const Folder folder("similitude-heaps-pour");
-    for (auto [name, text] : lammps_files(p)) {
-        // The fastest grain, every 20 steps.
-        if (const std::size_t at = text.find("thermo 1000000\n"); at != std::string::npos)
-            text.insert(at,
-                        "variable speed atom sqrt(vx*vx+vy*vy+vz*vz)\n"
-                        "compute fastest loose reduce max v_speed\n");
-        for (const auto& [from, to] : {std::pair{"thermo 1000000", "thermo 20"},
-                                       std::pair{"c_way c_turn\n", "c_way c_turn c_fastest\n"}})
-            if (const std::size_t at = text.find(from); at != std::string::npos)
-                text.replace(at, std::string(from).size(), to);
-        std::ofstream(folder.path / name) << text;
+    std::map<std::string, std::string> files = lammps_files(p);
+    // The fastest grain, every 20 steps.
+    std::string& deck = files.at("deck.in");
+    for (const auto& [from, to] :
+         {std::pair{"thermo 1000000\n",
+                    "variable speed atom sqrt(vx*vx+vy*vy+vz*vz)\n"
+                    "compute fastest loose reduce max v_speed\nthermo 20\n"},
+          std::pair{"c_way c_turn\n", "c_way c_turn c_fastest\n"}}) {
+        const std::size_t at = deck.find(from);
+        REQUIRE(at != std::string::npos);
+        deck.replace(at, std::string(from).size(), to);
     }
-    const std::string where = folder.path.string();
-    REQUIRE(std::system(("lmp -in " + where + "/deck.in -var folder " + where + " -log " + where +
-                         "/log -screen none")
-                            .c_str()) == 0);
-    const std::vector<Ball> heap = read_heap(content(folder.path / "heap.dump"));
-    REQUIRE(content(folder.path / "log").find("given up") == std::string::npos);
+    const std::string log = run_lammps(folder, files);
+    const std::vector<Ball> heap = heap_in(folder);
+    REQUIRE(log.find("given up") == std::string::npos);
     // Who appears within another is kicked: nobody is faster than a fall to the box's floor, 4 of the largest
     // diameters below the base, makes.
-    std::istringstream lines(content(folder.path / "log"));
+    std::istringstream lines(log);
     double fastest = 0.0;
     for (std::string line; std::getline(lines, line);) {
         std::istringstream words(line);
