@@ -8,8 +8,11 @@
 #include "app/predictions.hpp"
 #include "app/progress.hpp"
 #include "cases/read_case.hpp"
+#include "diagnose/piles.hpp"
 #include "reports/diagnosis.hpp"
 #include "reports/diagnosis_json.hpp"
+#include "rigs/pile.hpp"
+#include "scaling/errors.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -28,6 +31,7 @@ namespace {
 struct DiagnoseOptions {
     CommonOptions common;
     std::string path, predict, engine = "dem_min", out = "out", heaps = "out/similitude-heaps";
+    std::string contact = "own";
     double alpha = diagnose::Settings{}.alpha;
 };
 
@@ -72,13 +76,21 @@ std::optional<diagnose::Verdict> judged(const cases::Case& c, const DiagnoseOpti
         if (done == of) from = first;
         return !interrupt_flag();
     });
-    settings.pour = [&heaps](const std::vector<rigs::PileSetup>& setups) { return heaps(setups); };
+    settings.pour = [&](std::vector<rigs::PileSetup> setups) {
+        if (o.contact == "lammps")
+            for (rigs::PileSetup& setup : setups) rigs::take_lammps_rules(setup);
+        return heaps(setups);
+    };
     try {
         diagnose::Verdict v = judge(c, settings, cases::open_held_out);
         if (heaps.poured() + heaps.recalled() > 0)
             v.warnings.push_back(
                 fmt::format("Heaps: {} poured now, {:.0f} s of one core, {} found in {}.",
                             heaps.poured(), heaps.seconds(), heaps.recalled(), o.heaps));
+        if (o.contact == "lammps")
+            v.warnings.push_back(
+                "Heaps under LAMMPS' contact rules: SDS rolling, its friction limit under "
+                "adhesion, JKR torn off at the deepest tension.");
         return v;
     } catch (const diagnose::Interrupted&) {
         return std::nullopt;
@@ -100,6 +112,10 @@ std::optional<std::vector<std::string>> with_base(cases::Case& c, const Diagnose
 
 int run(const DiagnoseOptions& o, const std::string& command, const Judge& judge) {
     cases::Case c = cases::read_case(o.path, cases::HeldOut::sealed);
+    if (o.contact == "lammps" && !diagnose::has_piles(c))
+        throw scaling::InvalidInput(
+            scaling::mistake("--contact", "lammps", "must go with a pile whose profile is recorded",
+                             "LAMMPS' rules are for heaps; leave the option out"));
     if (!o.predict.empty()) make_folder(o.predict);  // a minute of work must not end at a bad name
     watch_interrupts();
     const auto base = with_base(c, o);
@@ -138,6 +154,11 @@ Verb diagnose_verb(CLI::App& app, const std::string& command, const Judge& judge
                      "whose simulation is judged: lammps runs drops, inclines and impacts of the "
                      "case first, as if `simulated` held them")
         ->check(CLI::IsMember({"dem_min", "lammps"}))
+        ->capture_default_str();
+    verb->add_option("--contact", options->contact,
+                     "rules of the heaps' contacts: lammps where the simulation that is judged was "
+                     "one of LAMMPS with SDS rolling")
+        ->check(CLI::IsMember({"own", "lammps"}))
         ->capture_default_str();
     verb->add_option("--heaps", options->heaps,
                      "folder in which heaps poured for piles are remembered; cases of one powder "

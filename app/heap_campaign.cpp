@@ -219,9 +219,9 @@ class Work {
         const Campaign& c = c_.common;
         const fs::path verdicts = home() / "verdicts";
         if (stop_ || (c.resume && fs::exists(ended(verdicts, name)))) return;
-        judge_case({c.judge, "diagnose", (home() / "cases" / name).string(), "--heaps",
-                    (home() / "judge-heaps").string(), "--seed", std::to_string(c.judge_seed),
-                    "--threads", std::to_string(threads)},
+        judge_case({c.judge, "diagnose", (home() / "cases" / name).string(), "--contact", "lammps",
+                    "--heaps", (home() / "judge-heaps").string(), "--seed",
+                    std::to_string(c.judge_seed), "--threads", std::to_string(threads)},
                    verdicts, name, c.limit, stop_);
     }
 

@@ -70,7 +70,7 @@ const std::vector<Row>& rows() {
         {"adhesion", Needs::nothing,
          [](S s) {
              return U{log_range("work_of_adhesion", "J/m^2", s.work(0.03, s.d / 4.0),
-                                s.work(100.0, s.d / 4.0))};
+                                s.work(50.0, s.d / 4.0))};
          },
          [](S s) { return s.work(1.0, s.d / 4.0); }},
         {"rolling_resistance", Needs::nothing,
@@ -84,7 +84,7 @@ const std::vector<Row>& rows() {
         {"wall_adhesion", Needs::walls,
          [](S s) {
              return U{log_range("wall_work_of_adhesion", "J/m^2", s.work(0.03, s.d / 2.0),
-                                s.work(100.0, s.d / 2.0))};
+                                s.work(50.0, s.d / 2.0))};
          },
          [](S s) { return s.work(1.0, s.d / 2.0); }},
         {"tilt", Needs::nothing, [](S) { return tilt(); }, [](S) { return 0.3; }, "", true},

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "diagnose/candidates.hpp"
 
-#include "diagnose/catalogue.hpp"
-#include "diagnose/locate.hpp"
 #include "diagnose/minima.hpp"
 #include "diagnose/starts.hpp"
 
@@ -13,10 +11,8 @@
 #include <cmath>
 #include <exception>
 #include <limits>
-#include <map>
 #include <mutex>
 #include <numeric>
-#include <set>
 #include <thread>
 
 namespace diagnose {
@@ -229,82 +225,6 @@ void deepen(const Problem& p, const Whitener& w, Candidate& c, const Candidate* 
 void refit(const Problem& p, const Whitener& w, Candidate& c, const Candidate* start) {
     c.fit = fit(p, w, c.h, c.fit.theta, false, 12);
     weigh(c, start);
-}
-
-std::vector<Candidate> with_missing_force(const Problem& p, const Whitener& w,
-                                          const Candidate& start, std::vector<Term>& terms) {
-    constexpr std::size_t knots = 8;
-    // Range of every variable of the state over all recordings that have it.
-    std::map<std::string, std::pair<double, double>> ranges;
-    std::map<std::string, std::set<std::string>> rigs;
-    double weight = 0.0;
-    for (const Record& r : p.records) {
-        if (r.experiment->rig == "impact" || r.covariance.size() > 0)
-            continue;  // no one force acts for long there
-        const double d = r.experiment->grain.diameter.value.value();
-        weight =
-            std::max(weight, r.experiment->grain.density.value.value() * 0.5236 * d * d * d * 9.81);
-        if (r.experiment->rig == "pull_off")
-            for (const double v : r.channels.front().recorded)
-                if (std::isfinite(v)) weight = std::max(weight, 0.05 * std::abs(v));
-        for (const auto& [name, values] :
-             r.model->variables(world_at(p, start.h, start.fit.theta, r), r.ordinates)) {
-            rigs[name].insert(r.experiment->rig);
-            auto& range = ranges
-                              .try_emplace(name, std::numeric_limits<double>::max(),
-                                           std::numeric_limits<double>::lowest())
-                              .first->second;
-            for (const double v : values)
-                if (std::isfinite(v)) range = {std::min(range.first, v), std::max(range.second, v)};
-        }
-    }
-    const Footing on{p, w, start.h, start.fit};
-    terms.clear();
-    terms.reserve(ranges.size());
-    for (const auto& [name, range] : ranges)
-        if (range.second > range.first && name != "impact_speed")
-            terms.push_back(missing_force(name, range.first, range.second, knots, weight)),
-                terms.back().missing_rigs = rigs[name];
-    const Projection project(start.h.unknowns, start.fit);
-    const VectorXd left = project(start.fit.white);
-    std::vector<Candidate> all;
-    for (Term& term : terms) {
-        Hypothesised h = plus(p, start.h, term);
-        MatrixXd slopes(static_cast<Index>(p.size), static_cast<Index>(knots));
-        for (std::size_t k = 0; k < knots; ++k) {
-            VectorXd own = VectorXd::Zero(static_cast<Index>(knots));
-            own[static_cast<Index>(k)] = 1e-3 * weight;
-            const VectorXd up = predicted(p, h, carried(on, h, own));
-            const VectorXd down = predicted(p, h, carried(on, h, -own));
-            slopes.col(static_cast<Index>(k)) = project(w((up - down) / 2e-3));  // per weight
-        }
-        // Size of greatest evidence, at first order: log det(1 + s^2 A) and b' (A + 1/s^2)^-1 b.
-        const MatrixXd a = slopes.transpose() * slopes;
-        const VectorXd b = slopes.transpose() * left;
-        double best = std::numeric_limits<double>::lowest(), chosen = 1.0;
-        for (double s = 1e-4; s < 300.0; s *= 2.0) {
-            MatrixXd m = a;
-            m.diagonal().array() += 1.0 / (s * s);
-            const Eigen::LDLT<MatrixXd> ldlt(m);
-            const double log_det = ldlt.vectorD().array().abs().log().sum() +
-                                   2.0 * static_cast<double>(knots) * std::log(s);
-            const double log_z = 0.5 * b.dot(ldlt.solve(b)) - 0.5 * log_det;
-            if (log_z > best) best = log_z, chosen = s;
-        }
-        for (Unknown& u : term.unknowns)
-            u.deviation = chosen * weight, u.low = -100.0 * u.deviation,
-            u.high = 100.0 * u.deviation;
-        h = plus(p, start.h, term);
-        Candidate c{.h = h,
-                    .fit = fit(p, w, h, carried(on, h, VectorXd::Zero(static_cast<Index>(knots))),
-                               false, 10)};
-        // The size was chosen among some 20, the variable among those there are, and neighbours of the best do well, too.
-        c.log_evidence = c.fit.log_evidence - 4.0;
-        all.push_back(std::move(c));
-    }
-    std::stable_sort(all.begin(), all.end(),
-                     [](const auto& x, const auto& y) { return x.log_evidence > y.log_evidence; });
-    return all;
 }
 
 double separation(const Problem& p, const Whitener& w, const Candidate& truth,

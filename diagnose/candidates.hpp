@@ -40,12 +40,6 @@ void drop_idle(std::vector<Candidate>& pairs, const std::vector<Candidate>& sing
 // The same from where it stands, under another whitener; `start` is what the last term was added to, itself refitted.
 void refit(const Problem&, const Whitener&, Candidate&, const Candidate* start);
 
-// The force that is missing along the variable of the state that explains most: `start` plus knots, each a Gaussian about
-// nothing whose size is that of greatest evidence. `term` receives the term, which the candidate points to. Nothing where the
-// rig takes no such force.
-std::vector<Candidate> with_missing_force(const Problem&, const Whitener&, const Candidate& start,
-                                          std::vector<Term>& terms);
-
 // sqrt(chi squared and penalty) that `other`, refitted, leaves where `truth` is what is recorded and what is stated, without
 // noise: how many sigma they are apart. The problem may hold further experiments than those of the fits.
 double separation(const Problem&, const Whitener&, const Candidate& truth, const Candidate& other);

@@ -277,25 +277,6 @@ std::vector<Term> catalogue(const Problem& p) {
     return list;
 }
 
-Term missing_force(const std::string& variable, double low, double high, std::size_t knots,
-                   double size) {
-    Term t{.effect = "unknown", .unknowns = {}, .two_sided = true, .missing_variable = variable};
-    for (std::size_t k = 0; k < knots; ++k) {
-        t.missing_knots.push_back(low + (high - low) * static_cast<double>(k) /
-                                            static_cast<double>(knots - 1));
-        t.unknowns.push_back({.name = "force_" + std::to_string(k + 1),
-                              .unit = "N",
-                              .target = Target::missing_force_knot,
-                              .prior = Prior::gaussian,
-                              .low = -100.0 * size,
-                              .high = 100.0 * size,
-                              .mean = 0.0,
-                              .deviation = size,
-                              .index = k});
-    }
-    return t;
-}
-
 bool is_measurement(const std::string& effect) {
     return effect.starts_with("measurement_") || effect == "time_base" ||
            effect == "numerical_artefact";

@@ -14,11 +14,6 @@ namespace diagnose {
 // Several terms may carry one name: a scale of the lengths, a scale of the spin.
 std::vector<Term> catalogue(const Problem&);
 
-// A force that no law explains, along `variable`, of `knots` values between `low` and `high`; each a Gaussian of deviation
-// `size` (N) about nothing.
-Term missing_force(const std::string& variable, double low, double high, std::size_t knots,
-                   double size);
-
 // No physics: scale, offset, time base, numerical artefact.
 bool is_measurement(const std::string& effect);
 

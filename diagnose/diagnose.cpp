@@ -4,6 +4,7 @@
 #include "diagnose/catalogue.hpp"
 #include "diagnose/intervals.hpp"
 #include "diagnose/judge.hpp"
+#include "diagnose/missing.hpp"
 #include "diagnose/own_run.hpp"
 #include "diagnose/pile_questions.hpp"
 #include "diagnose/piles.hpp"
@@ -121,8 +122,8 @@ const Candidate& judged(Judge& j, const std::string& words_of_held_back) {
     v.p_value = std::min(
         {1.0, j.test(j.base, j.shapes_about(j.base), many_draws) / 0.8, j.p_of_best_gain() / 0.2});
     if (v.p_value <= settings.alpha) {
-        j.report(0.5, "forces that no law explains");
-        j.forces = with_missing_force(j.problem, *j.whiten, j.base, j.force_terms);
+        j.report(0.5, "what no law explains");
+        j.forces = with_missing(j.problem, *j.whiten, j.base, j.force_terms);
         if (!j.one_is_enough()) {
             j.report(0.55, "pairs of effects");
             j.fit_pairs();

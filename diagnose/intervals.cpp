@@ -138,23 +138,25 @@ std::vector<Estimate> refitted(const Problem& p, const Candidate& c) {
     return list;
 }
 
-MissingForceEstimate missing_of(const Candidate& c) {
+MissingEstimate missing_of(const Candidate& c) {
     const Term& term = *c.h.terms.back();
-    MissingForceEstimate m{.variable = term.missing_variable,
-                           .unit = "",
-                           .knots = term.missing_knots,
-                           .force = {},
-                           .low = {},
-                           .high = {},
-                           .words = ""};
-    m.unit = m.variable == "t"                               ? "s"
-             : m.variable == "speed" || m.variable == "slip" ? "m/s"
-             : m.variable == "spin"                          ? "rad/s"
-                                                             : "m";
+    MissingEstimate m{.variable = term.missing_variable,
+                      .unit = "",
+                      .knots = term.missing_knots,
+                      .values = {},
+                      .low = {},
+                      .high = {},
+                      .words = "",
+                      .of_restitution = term.of_restitution};
+    m.unit = m.variable == "t"                                       ? "s"
+             : m.variable.ends_with("speed") || m.variable == "slip" ? "m/s"
+             : m.variable == "spin"                                  ? "rad/s"
+             : m.variable == "impact_angle"                          ? "rad"
+                                                                     : "m";
     const VectorXd errors = standard_errors(c.h.unknowns, c.fit);
     const auto n = static_cast<Index>(term.unknowns.size());
     for (Index k = c.fit.theta.size() - n; k < c.fit.theta.size(); ++k) {
-        m.force.push_back(c.fit.theta[k]);
+        m.values.push_back(c.fit.theta[k]);
         m.low.push_back(c.fit.theta[k] - deviations * errors[k]);
         m.high.push_back(c.fit.theta[k] + deviations * errors[k]);
     }

@@ -16,7 +16,7 @@ std::vector<Estimate> estimates(const Problem&, const Whitener&, const Candidate
 // Of the user's own unknowns: 90 % intervals at first order.
 std::vector<Estimate> refitted(const Problem&, const Candidate&);
 
-// The missing force of its last term.
-MissingForceEstimate missing_of(const Candidate&);
+// What is missing, of its last term.
+MissingEstimate missing_of(const Candidate&);
 
 }  // namespace diagnose

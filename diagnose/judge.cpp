@@ -3,6 +3,7 @@
 
 #include "diagnose/gates.hpp"
 #include "diagnose/mismatch.hpp"
+#include "diagnose/missing.hpp"
 
 #include <fmt/format.h>
 
@@ -101,7 +102,7 @@ void Judge::fit_pairs() {
         estimate_noise();
         refit_all();
     }
-    forces = with_missing_force(problem, *whiten, base, force_terms);
+    forces = with_missing(problem, *whiten, base, force_terms);
 }
 
 // Every other effect added to the best singles and to the members of the best pair, from as many places as a single is. Vibrations

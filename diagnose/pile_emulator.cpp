@@ -17,7 +17,8 @@ using Eigen::VectorXd;
 namespace {
 
 constexpr auto kernel = statistics::Kernel::squared_exponential;
-constexpr Index fewest_neighbours = 40;
+constexpr Index fewest_neighbours = 40;  // runs that a covariance is known from
+constexpr Index like_alone = 8;          // runs that tell how far heaps scatter there
 
 // One heap scatters by a good part of what parameters can do.
 statistics::HyperparameterPrior prior() {
@@ -40,31 +41,65 @@ MatrixXd covariance_of(const MatrixXd& residuals) {
 
 }  // namespace
 
-PileEmulator::PileEmulator(MatrixXd x, MatrixXd y, Numbers numbers,
-                           std::vector<statistics::Hyperparameters> hyper, int threads)
+PileEmulator::PileEmulator(MatrixXd x, MatrixXd y, Numbers numbers, Learned learned, int threads)
     : x_(std::move(x)),
       y_(std::move(y)),
-      left_out_(y_),
       numbers_(std::move(numbers)),
-      hyper_(std::move(hyper)),
+      learned_(std::move(learned)),
       process_of_(static_cast<std::size_t>(y_.cols()), -1) {
+    for (const Index k : numbers_.moved)
+        y_.col(k) = y_.col(k).unaryExpr([this](double v) { return stretched(v); });
+    const bool anew = learned_.hyper.empty();
+    if (anew) {
+        learned_.hyper.resize(static_cast<std::size_t>(y_.cols()));
+        learned_.slopes = VectorXd::Zero(x_.cols());
+        for (int round = 0; round < 2; ++round) fit(true, threads), learn_scatter();
+    }
+    fit(anew, threads);
+}
+
+void PileEmulator::fit(bool anew, int threads) {
     std::vector<Index> told = numbers_.moved;
     if (numbers_.tilted) told.insert(told.end(), numbers_.lean.begin(), numbers_.lean.end());
-    const bool anew = hyper_.empty();
-    if (anew) hyper_.resize(static_cast<std::size_t>(y_.cols()));
+    const VectorXd factors = scatter();
     std::vector<std::optional<statistics::GaussianProcess>> made(told.size());
     in_parallel(told.size(), threads, [&](std::size_t n) {
-        const Index k = told[n];
-        statistics::Hyperparameters& h = hyper_[static_cast<std::size_t>(k)];
-        const statistics::Data data{x_, y_.col(k)};
+        statistics::Hyperparameters& h = learned_.hyper[static_cast<std::size_t>(told[n])];
+        const statistics::Data data{x_, y_.col(told[n]), factors};
         if (anew) h = statistics::most_probable(data, kernel, prior());
         made[n].emplace(data, kernel, h);
     });
+    left_out_ = y_;
+    processes_.clear();
     for (std::size_t n = 0; n < told.size(); ++n) {
         process_of_[static_cast<std::size_t>(told[n])] = static_cast<int>(n);
-        left_out_.col(told[n]) = y_.col(told[n]) - made[n]->left_one_out().mean;
+        left_out_.col(told[n]) -= made[n]->left_one_out().mean;
         processes_.push_back(std::move(*made[n]));
     }
+}
+
+// Least squares of the logarithm of what each run is off by, rms over the numbers that move, over its scatter so far. A slope is
+// thought to be 0 give or take 1.
+void PileEmulator::learn_scatter() {
+    const auto moved = static_cast<Index>(numbers_.moved.size());
+    VectorXd off = VectorXd::Zero(x_.rows());
+    for (const Index k : numbers_.moved) {
+        const VectorXd e = left_out_.col(k).cwiseQuotient(scatter());
+        off += e.cwiseAbs2() / std::max(1e-300, e.squaredNorm());
+    }
+    if (moved == 0) return;
+    const VectorXd logs = 0.5 * off.cwiseMax(1e-12).array().log();
+    // A chi squared's logarithm scatters by about 1 where few numbers are independent.
+    MatrixXd about = x_.rowwise() - x_.colwise().mean();
+    MatrixXd normal = about.transpose() * about;
+    normal.diagonal().array() += 1.0;
+    learned_.slopes +=
+        normal.ldlt().solve(about.transpose() * (logs.array() - logs.mean()).matrix());
+}
+
+double PileEmulator::stretched(double y) const {
+    constexpr double least = -0.9;  // an instrument's noise may take a low spot below nothing
+    return std::log1p(std::max(least, y / numbers_.knee));
 }
 
 VectorXd PileEmulator::mean(const VectorXd& x) const {
@@ -72,49 +107,63 @@ VectorXd PileEmulator::mean(const VectorXd& x) const {
     for (Index k = 0; k < m.size(); ++k)
         if (const int p = process_of_[static_cast<std::size_t>(k)]; p >= 0)
             m[k] = processes_[static_cast<std::size_t>(p)].at(x.transpose()).mean[0];
+    // The mean of what is normal in the logarithm.
+    for (const Index k : numbers_.moved)
+        m[k] =
+            numbers_.knee *
+            std::expm1(m[k] + 0.5 * std::pow(learned_.hyper[static_cast<std::size_t>(k)].noise, 2));
     return m;
 }
 
-std::vector<Index> PileEmulator::nearest(const VectorXd& like) const {
+std::vector<Index> PileEmulator::nearest(const VectorXd& like, Index most) const {
     std::vector<std::pair<double, Index>> sorted;
     for (Index r = 0; r < y_.rows(); ++r) {
         double sum = 0.0;
         for (const Index k : numbers_.moved)
-            sum += std::pow((y_(r, k) - like[k]) / hyper_[static_cast<std::size_t>(k)].noise, 2);
+            sum += std::pow(
+                (y_(r, k) - stretched(like[k])) / learned_.hyper[static_cast<std::size_t>(k)].noise,
+                2);
         sorted.push_back({sum, r});
     }
     std::stable_sort(sorted.begin(), sorted.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
-    sorted.resize(
-        static_cast<std::size_t>(std::min(y_.rows(), std::max(fewest_neighbours, y_.rows() / 2))));
+    sorted.resize(static_cast<std::size_t>(std::min(y_.rows(), most)));
     std::vector<Index> runs;
     for (const auto& [far, r] : sorted) runs.push_back(r);
     return runs;
 }
 
 double PileEmulator::share_of_error(const VectorXd& like) const {
-    const std::vector<Index> runs = nearest(like);
+    const std::vector<Index> runs = nearest(like, like_alone);
+    const VectorXd factors = scatter();
     double sum = 0.0, count = 0.0;
     for (const Index k : numbers_.moved) {
-        const double noise = hyper_[static_cast<std::size_t>(k)].noise;
+        const double noise = learned_.hyper[static_cast<std::size_t>(k)].noise;
         const VectorXd variance =
             processes_[static_cast<std::size_t>(process_of_[static_cast<std::size_t>(k)])]
                 .at(x_(runs, Eigen::all))
                 .variance;
-        for (const double v : variance) sum += v / (v + noise * noise), count += 1.0;
+        for (Index r = 0; r < variance.size(); ++r) {
+            const double own = noise * factors[runs[static_cast<std::size_t>(r)]];
+            sum += variance[r] / (variance[r] + own * own), count += 1.0;
+        }
     }
     return count > 0.0 ? sum / count : 0.0;
 }
 
 MatrixXd PileEmulator::covariance(const VectorXd& like) const {
-    const std::vector<Index> runs = nearest(like);
+    const std::vector<Index> runs = nearest(like, std::max(fewest_neighbours, y_.rows() / 2));
     const auto most = static_cast<Index>(runs.size());
+    const VectorXd factors = scatter();
+    const std::vector<Index> alone = nearest(like, like_alone);
+    const double here = std::sqrt(factors(alone).squaredNorm() / static_cast<double>(alone.size()));
     const auto residuals = [&](const std::vector<Index>& numbers) {
         MatrixXd part(most, static_cast<Index>(numbers.size()));
         for (Index r = 0; r < most; ++r)
-            for (std::size_t k = 0; k < numbers.size(); ++k)
-                part(r, static_cast<Index>(k)) =
-                    left_out_(runs[static_cast<std::size_t>(r)], numbers[k]);
+            for (std::size_t k = 0; k < numbers.size(); ++k) {
+                const Index run = runs[static_cast<std::size_t>(r)];
+                part(r, static_cast<Index>(k)) = left_out_(run, numbers[k]) * here / factors[run];
+            }
         return part;
     };
     MatrixXd whole = MatrixXd::Zero(y_.cols(), y_.cols());
@@ -123,7 +172,11 @@ MatrixXd PileEmulator::covariance(const VectorXd& like) const {
             for (std::size_t b = 0; b < numbers.size(); ++b)
                 whole(numbers[a], numbers[b]) = c(static_cast<Index>(a), static_cast<Index>(b));
     };
-    put(numbers_.moved, covariance_of(residuals(numbers_.moved)));
+    VectorXd size(static_cast<Index>(numbers_.moved.size()));
+    for (Index k = 0; k < size.size(); ++k)
+        size[k] = numbers_.knee + std::max(0.0, like[numbers_.moved[static_cast<std::size_t>(k)]]);
+    put(numbers_.moved,
+        size.asDiagonal() * covariance_of(residuals(numbers_.moved)) * size.asDiagonal());
     // Leans to the two sides scatter alike: one covariance from both.
     const MatrixXd lean = residuals(numbers_.lean), across = residuals(numbers_.across);
     MatrixXd both(2 * most, lean.cols());

@@ -47,26 +47,22 @@ rigs::Heap poured_here(const rigs::PileSetup& setup) {
     return rigs::record(run, setup).heap;
 }
 
-// Worlds of the first design.
+// Worlds of the first design: the free parameters alone, each effect alone, each two effects once. Each of these has a sequence of
+// its own: every third point of one sequence may lie all in a row.
 std::vector<rigs::World> first_design(const Apparatus& f, const rigs::World& stated) {
-    constexpr std::size_t without = 14, each_free = 6, each_effect = 10;
+    constexpr std::size_t without = 14, each_free = 6, each_effect = 14;
     std::vector<const Axis*> free, left_out;
     for (const Axis& a : f.axes) (a.effect.empty() ? free : left_out).push_back(&a);
-    std::vector<std::vector<const Axis*>> there(without + each_free * free.size());
-    for (std::size_t k = 0; k < each_effect; ++k)
-        for (const Axis* a : left_out) there.push_back({a});
-    for (std::size_t a = 0; a < left_out.size(); ++a)
-        for (std::size_t b = a + 1; b < left_out.size(); ++b)
-            there.push_back({left_out[a], left_out[b]});
     std::vector<rigs::World> worlds;
-    const std::size_t dimensions = free.size() + 2;
-    for (std::size_t k = 0; k < there.size(); ++k) {
+    // Point k of the sequence over the free parameters and these effects.
+    const auto add = [&](const std::vector<const Axis*>& effects, std::size_t k) {
         rigs::World w = stated;
+        const std::size_t dimensions = std::max<std::size_t>(1, free.size() + effects.size());
         for (std::size_t n = 0; n < free.size(); ++n)
             w.parameters[free[n]->parameter] =
                 value_at(*free[n], 2.0 * evenly(k, n, dimensions) - 1.0);
-        for (std::size_t n = 0; n < there[k].size(); ++n) {
-            const Axis& a = *there[k][n];
+        for (std::size_t n = 0; n < effects.size(); ++n) {
+            const Axis& a = *effects[n];
             w.physics.insert(a.effect);
             if (a.parameter.empty()) continue;
             w.parameters[a.parameter] =
@@ -74,7 +70,13 @@ std::vector<rigs::World> first_design(const Apparatus& f, const rigs::World& sta
                          a.beside.empty() ? 0.0 : w.parameters[a.beside]);
         }
         worlds.push_back(std::move(w));
-    }
+    };
+    for (std::size_t k = 0; k < without + each_free * free.size(); ++k) add({}, k);
+    for (std::size_t k = 0; k < each_effect; ++k)
+        for (const Axis* a : left_out) add({a}, k);
+    std::size_t k = 0;
+    for (std::size_t a = 0; a < left_out.size(); ++a)
+        for (std::size_t b = a + 1; b < left_out.size(); ++b) add({left_out[a], left_out[b]}, k++);
     return worlds;
 }
 

@@ -37,7 +37,7 @@ class Pourer {
     // rms over the rings; the part of overlaps (E^(-2/3), Hertz) that these ten times do not show is added. At most half of the
     // deviation of one heap.
     Apparatus apparatus(const cases::Experiment&) const;
-    // Free parameters all over their ranges; of each effect alone ten strengths, of each two effects one.
+    // Free parameters all over their ranges; of each effect alone fourteen strengths, of each two effects one.
     void pour_first(Apparatus&) const;
 
     int poured() const { return poured_; }

@@ -49,7 +49,7 @@ struct Piles::Inside {
         Rings rings;
         Numbers numbers;
         std::unique_ptr<PileEmulator> emulator{};
-        std::vector<statistics::Hyperparameters> hyper{};
+        PileEmulator::Learned learned{};
     };
 
     const cases::Case& given;
@@ -88,10 +88,10 @@ struct Piles::Inside {
             x.row(static_cast<Index>(k)) = coordinates(f, f.worlds[k]);
             y.row(static_cast<Index>(k)) = numbers_of(v, f.heaps[k]);
         });
-        if (anew) v.hyper.clear();
+        if (anew) v.learned = {};
         v.emulator = std::make_unique<PileEmulator>(std::move(x), std::move(y), v.numbers,
-                                                    std::move(v.hyper), settings.threads);
-        v.hyper = v.emulator->hyperparameters();
+                                                    std::move(v.learned), settings.threads);
+        v.learned = v.emulator->learned();
     }
     // What the emulator says of this world; tilted runs lean along x, other azimuths are turned there.
     VectorXd foreseen(const View& v, const rigs::World& w) const {
@@ -184,6 +184,7 @@ Piles::Inside::View& Piles::Inside::view_of(const cases::Experiment& e) const {
         if (std::isfinite(one[n + k]))
             v->numbers.lean.push_back(n + k), v->numbers.across.push_back(2 * n + k);
     }
+    v->numbers.knee = 0.5 * e.grain.diameter.value.value();
     v->numbers.tilted = std::any_of(family->axes.begin(), family->axes.end(),
                                     [](const Axis& a) { return a.parameter == "tilt_angle"; });
     if (!family->heaps.empty()) emulate(*v, true);

@@ -226,10 +226,14 @@ rigs::World world_at(const Problem& p, const Hypothesised& h, const Eigen::Vecto
         if (t->effect == "tangential_compliance")
             world.physics.erase("hertz_coulomb"),
                 world.physics.insert({"hertz_mindlin", t->effect});
-        else if (!t->missing_variable.empty() && t->missing_rigs.contains(record.experiment->rig))
-            world.missing = rigs::MissingForce{t->missing_variable, t->missing_knots,
-                                               std::vector<double>(t->missing_knots.size(), 0.0)};
-        else if (t->missing_variable.empty() && t->channel.empty() && t->effect != "time_base")
+        else if (!t->missing_variable.empty() && t->missing_rigs.contains(record.experiment->rig)) {
+            const std::vector<double> nothing(t->missing_knots.size(), 0.0);
+            if (t->of_restitution)
+                world.missing_restitution =
+                    rigs::MissingRestitution{t->missing_variable, t->missing_knots, nothing};
+            else
+                world.missing = rigs::MissingForce{t->missing_variable, t->missing_knots, nothing};
+        } else if (t->missing_variable.empty() && t->channel.empty() && t->effect != "time_base")
             world.physics.insert(t->effect);
     }
     for (std::size_t k = 0; k < h.unknowns.size(); ++k) {
@@ -240,6 +244,8 @@ rigs::World world_at(const Problem& p, const Hypothesised& h, const Eigen::Vecto
         if (u.target == Target::stated) world.stated[u.key] = value;
         if (u.target == Target::missing_force_knot && world.missing)
             world.missing->newtons[u.index] = value;
+        if (u.target == Target::missing_restitution_knot && world.missing_restitution)
+            world.missing_restitution->shares[u.index] = value;
     }
     return world;
 }

@@ -19,14 +19,15 @@ enum class Prior {
 
 // Where a value goes.
 enum class Target {
-    parameter,          // rigs::World::parameters[key]
-    stated,             // rigs::World::stated[key], of one experiment or of all
-    scale,              // recorded = value x true, of the channels in key ("z,x")
-    offset,             // recorded = true + value, of the channel key
-    time_factor,        // recorded time = value x true time
-    base_line,          // recorded = true + value
-    base_line_slope,    // recorded = true + value (ordinate - middle of the ordinates)
-    missing_force_knot  // rigs::World::missing->newtons[index]
+    parameter,                // rigs::World::parameters[key]
+    stated,                   // rigs::World::stated[key], of one experiment or of all
+    scale,                    // recorded = value x true, of the channels in key ("z,x")
+    offset,                   // recorded = true + value, of the channel key
+    time_factor,              // recorded time = value x true time
+    base_line,                // recorded = true + value
+    base_line_slope,          // recorded = true + value (ordinate - middle of the ordinates)
+    missing_force_knot,       // rigs::World::missing->newtons[index]
+    missing_restitution_knot  // rigs::World::missing_restitution->shares[index]
 };
 
 struct Unknown {
@@ -62,9 +63,10 @@ struct Term {
     std::vector<std::string>
         idle{};              // parameters of the base model that have no influence beside it
     bool two_sided = false;  // the first unknown may have either sign
-    std::string missing_variable{};        // of a missing force
+    std::string missing_variable{};        // of a missing force or restitution
     std::set<std::string> missing_rigs{};  // those whose state has that variable; it acts there
     std::vector<double> missing_knots{};
+    bool of_restitution = false;  // what is missing is a share of the rebound, no force
 };
 
 }  // namespace diagnose

@@ -54,12 +54,15 @@ struct Gate {
     std::string why;  // one sentence
 };
 
-// The force that is missing, as a function of one variable of the state.
-struct MissingForceEstimate {
-    std::string variable, unit;            // of the knots, SI
-    std::vector<double> knots;             // rising
-    std::vector<double> force, low, high;  // N; 90 % band
+// What is missing, as a function of one variable of the state: a force in N, or a share of the normal rebound speed.
+struct MissingEstimate {
+    std::string variable, unit;             // of the knots, SI
+    std::vector<double> knots;              // rising
+    std::vector<double> values, low, high;  // 90 % band
     std::string words;  // "an attraction to the plate that grows as the fourth power near it"
+    bool of_restitution = false;
+    std::string what() const { return of_restitution ? "restitution" : "force"; }
+    std::string unit_of_values() const { return of_restitution ? "1" : "N"; }
 };
 
 struct Effect {
@@ -69,7 +72,7 @@ struct Effect {
     std::vector<Estimate> parameters;
     std::vector<Gate> gates;
     std::vector<std::string> why;
-    std::optional<MissingForceEstimate> missing;  // of "unknown"
+    std::optional<MissingEstimate> missing;  // of "unknown"
 };
 
 // 100 rms(simulated - recorded)/(max - min of the recorded channel), mean over experiments and channels.

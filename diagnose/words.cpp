@@ -44,13 +44,13 @@ const std::map<std::string, const char*>& signatures() {
     return table;
 }
 
-// Least-squares exponent of |F| against |x - x0| over the half of the range where it is large; NaN where that says nothing.
-double exponent(const MissingForceEstimate& m) {
+// Least-squares exponent of |values| against |x - x0| over the half of the range where it is large; NaN where that says nothing.
+double exponent(const MissingEstimate& m) {
     double sx = 0.0, sy = 0.0, sxx = 0.0, sxy = 0.0, n = 0.0;
     for (std::size_t k = 0; k < m.knots.size(); ++k) {
         const bool sure = m.low[k] * m.high[k] > 0.0;
         if (!sure || m.knots[k] <= 0.0) continue;
-        const double x = std::log(m.knots[k]), y = std::log(std::abs(m.force[k]));
+        const double x = std::log(m.knots[k]), y = std::log(std::abs(m.values[k]));
         sx += x, sy += y, sxx += x * x, sxy += x * y, n += 1.0;
     }
     const double spread = sxx - sx * sx / std::max(n, 1.0);
@@ -91,12 +91,17 @@ std::vector<std::string> reasons(const std::string& effect, double probability, 
     return list;
 }
 
-std::string described(const MissingForceEstimate& m) {
+std::string described(const MissingEstimate& m) {
     std::size_t strongest = 0;
-    for (std::size_t k = 0; k < m.force.size(); ++k)
-        if (std::abs(m.force[k]) > std::abs(m.force[strongest])) strongest = k;
+    for (std::size_t k = 0; k < m.values.size(); ++k)
+        if (std::abs(m.values[k]) > std::abs(m.values[strongest])) strongest = k;
     const bool sure = m.low[strongest] * m.high[strongest] > 0.0;
-    const double f = m.force[strongest];
+    const double f = m.values[strongest];
+    if (m.of_restitution)
+        return fmt::format("a rebound {} by {:.2g} % at {} = {}{}", f < 0.0 ? "slower" : "faster",
+                           100.0 * std::abs(f), m.variable,
+                           cases::format_si(m.knots[strongest], m.unit),
+                           sure ? "" : " (not sure to 90 %)");
     const std::string sort =
         m.variable == "z" || m.variable == "separation"
             ? (f < 0.0 ? "an attraction to the plate" : "a repulsion from the plate")
@@ -106,8 +111,8 @@ std::string described(const MissingForceEstimate& m) {
         "{} of {} at {} = {}{}", sort, cases::format_si(std::abs(f), "N"), m.variable,
         cases::format_si(m.knots[strongest], m.unit), sure ? "" : " (not sure to 90 %)");
     const double power = exponent(m);
-    const double flat = *std::min_element(m.force.begin(), m.force.end()) *
-                        *std::max_element(m.force.begin(), m.force.end());
+    const double flat = *std::min_element(m.values.begin(), m.values.end()) *
+                        *std::max_element(m.values.begin(), m.values.end());
     if (flat > 0.0 && std::isfinite(power) && std::abs(power) < 0.3)
         text += ", about the same everywhere";
     else if (std::isfinite(power))

@@ -15,8 +15,8 @@ std::string plain_name(const std::string& effect);  // "air drag"
 std::vector<std::string> reasons(const std::string& effect, double probability, double gain,
                                  const std::vector<Located>&);
 
-// Sign, variable and shape of a missing force.
-std::string described(const MissingForceEstimate&);
+// Sign, variable and shape of what is missing.
+std::string described(const MissingEstimate&);
 
 // The whole verdict in a few sentences; `flips`: what would change it.
 std::vector<std::string> summary_of(const Verdict&);

@@ -211,15 +211,15 @@ std::vector<CurveFigures> curve_figures(const diagnose::Verdict& v) {
     return all;
 }
 
-Figure missing_figure(const diagnose::MissingForceEstimate& m, const std::string& id) {
-    const Ruler x = ruler(m.knots, m.unit), y = ruler(m.force, "N");
+Figure missing_figure(const diagnose::MissingEstimate& m, const std::string& id) {
+    const Ruler x = ruler(m.knots, m.unit), y = ruler(m.values, m.unit_of_values());
     std::vector<std::size_t> rows(m.knots.size());
     std::iota(rows.begin(), rows.end(), std::size_t{0});
     Plot plot;
-    plot.title = "The missing force";
+    plot.title = "The missing " + m.what();
     plot.description = m.words;
     plot.x = {.label = x.label(words(m.variable))};
-    plot.y = {.label = y.label("missing force")};
+    plot.y = {.label = y.label("missing " + m.what())};
     plot.height = 220.0;
     plot.bands = {{.x = picked(m.knots, rows, x),
                    .low = picked(m.low, rows, y),
@@ -227,9 +227,9 @@ Figure missing_figure(const diagnose::MissingForceEstimate& m, const std::string
                    .style = 0,
                    .label = "90 % band"}};
     plot.curves = {{.x = plot.bands[0].x,
-                    .y = picked(m.force, rows, y),
+                    .y = picked(m.values, rows, y),
                     .style = 0,
-                    .label = "missing force"}};
+                    .label = "missing " + m.what()}};
     return {svg(plot, id), m.words.empty() ? "" : with_micro(m.words + ".")};
 }
 

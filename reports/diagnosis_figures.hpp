@@ -21,6 +21,6 @@ struct CurveFigures {
 std::vector<CurveFigures> curve_figures(const diagnose::Verdict&);
 
 // The missing force over the variable that it depends on, with its band.
-Figure missing_figure(const diagnose::MissingForceEstimate&, const std::string& id);
+Figure missing_figure(const diagnose::MissingEstimate&, const std::string& id);
 
 }  // namespace reports

@@ -98,13 +98,13 @@ Json estimates_json(const std::vector<diagnose::Estimate>& estimates) {
 }
 
 // A function of the state: value and ci90 are lists, one entry for each of `at`.
-Json missing_json(const diagnose::MissingForceEstimate& m) {
+Json missing_json(const diagnose::MissingEstimate& m) {
     Json bands = Json::array();
     for (std::size_t k = 0; k < std::min(m.low.size(), m.high.size()); ++k)
         bands.push_back(finite_list({m.low[k], m.high[k]}));
     return {{"variable", m.variable},   {"at", finite_list(m.knots)},
-            {"at_unit", m.unit},        {"value", finite_list(m.force)},
-            {"ci90", std::move(bands)}, {"unit", "N"},
+            {"at_unit", m.unit},        {"value", finite_list(m.values)},
+            {"ci90", std::move(bands)}, {"unit", m.unit_of_values()},
             {"words", m.words}};
 }
 
@@ -115,7 +115,7 @@ Json effect_json(const diagnose::Effect& e) {
         why[g.name] = g.why;
     }
     Json parameters = estimates_json(e.parameters);
-    if (e.missing) parameters["force"] = missing_json(*e.missing);
+    if (e.missing) parameters[e.missing->what()] = missing_json(*e.missing);
     Json json = {{"name", e.name}, {"probability", at_place(e.probability)}, {"named", e.named}};
     json["parameters"] = std::move(parameters);
     json["gates"] = std::move(gates);

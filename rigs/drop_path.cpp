@@ -86,7 +86,7 @@ double DropWorld::lift(const DropState& s, double gap) const {
                           : name == "z"     ? s.z
                           : name == "speed" ? s.speed()
                                             : s.impact_speed;
-        force += newtons_at(*missing, at);
+        force += straight_between(missing->knots, missing->newtons, at);
     }
     return force;
 }

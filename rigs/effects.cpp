@@ -82,15 +82,13 @@ double Vibration::acceleration(double t) const {
     return -amplitude * omega * omega * std::sin(omega * t + phase);
 }
 
-double newtons_at(const MissingForce& force, double value) {
-    const std::vector<double>& x = force.knots;
-    const std::vector<double>& f = force.newtons;
+double straight_between(const std::vector<double>& x, const std::vector<double>& f, double at) {
     if (x.empty()) return 0.0;
-    if (!(value > x.front())) return f.front();
-    if (value >= x.back()) return f.back();
+    if (!(at > x.front())) return f.front();
+    if (at >= x.back()) return f.back();
     const std::size_t k =
-        static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), value) - x.begin());
-    return f[k - 1] + (f[k] - f[k - 1]) * (value - x[k - 1]) / (x[k] - x[k - 1]);
+        static_cast<std::size_t>(std::upper_bound(x.begin(), x.end(), at) - x.begin());
+    return f[k - 1] + (f[k] - f[k - 1]) * (at - x[k - 1]) / (x[k] - x[k - 1]);
 }
 
 }  // namespace rigs

@@ -64,7 +64,8 @@ struct Vibration {
     double acceleration(double t) const;
 };
 
-// N, straight between the knots of `force`, constant beyond them.
-double newtons_at(const MissingForce& force, double value);
+// Straight between the knots, constant beyond them; 0 where there are none.
+double straight_between(const std::vector<double>& knots, const std::vector<double>& values,
+                        double at);
 
 }  // namespace rigs

@@ -21,6 +21,15 @@ struct MissingForce {
     std::vector<double> newtons;  // drop: up; incline: downhill; pull_off: repulsive
 };
 
+// A share by which the normal speed after an impact is off, that no law explains, as a function of one variable of the impact.
+struct MissingRestitution {
+    std::string
+        variable;  // "impact_speed", m/s, normal; "impact_angle", rad, of the way in from the normal
+    std::vector<double> knots;  // SI, rising
+    std::vector<double>
+        shares;  // 0: as the model says; straight between the knots, constant beyond them
+};
+
 // What acts, and how strongly.
 struct World {
     std::set<std::string> physics;  // names of docs/effects.md
@@ -32,6 +41,7 @@ struct World {
     std::optional<cases::Numerics>
         numerics;  // as the user's run was made; without: as exact as need be
     std::optional<MissingForce> missing;
+    std::optional<MissingRestitution> missing_restitution{};  // drop, impact: without numerics
 };
 
 // Where the channels are asked for.

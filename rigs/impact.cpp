@@ -88,7 +88,8 @@ class Impact : public ForwardModel {
                 .parameters = world.parameters,
                 .stated = world.stated,
                 .numerics = world.numerics,
-                .missing = {}};
+                .missing = {},
+                .missing_restitution = world.missing_restitution};
         const std::set<std::string> known = impact_effects();
         for (const std::string& name : world.physics)
             if (known.count(name) > 0) w.physics.insert(name);

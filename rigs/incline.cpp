@@ -69,7 +69,7 @@ class Incline : public ForwardModel {
                            .further = {}};
         if (world.missing)
             forces.further = [&m = *world.missing, r = g.radius](const OnPlate& x) {
-                return newtons_at(m, variable(m.variable, x, r));
+                return straight_between(m.knots, m.newtons, variable(m.variable, x, r));
             };
         OnPlate x{0.0, 0.0, stated_.value(world, "conditions.speed", 0.0),
                   g.radius * stated_.value(world, "conditions.spin", 0.0)};

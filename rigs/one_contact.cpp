@@ -120,6 +120,11 @@ Rebound OneContact::touch(const Approach& in) {
         tear_off(in, out);
     else
         drive_apart(in, out);
+    if (const auto& m = grain_.missing_restitution) {
+        const double at =
+            m->variable == "impact_angle" ? std::atan2(std::abs(in.v), in.normal) : in.normal;
+        out.normal *= std::max(0.0, 1.0 + straight_between(m->knots, m->shares, at));
+    }
     return out;
 }
 

@@ -189,6 +189,7 @@ OneGrain one_grain(const Stated& stated, const World& world, Counterpart counter
     if (acts(world, "vibration"))
         g.vibration = {parameter(world, "amplitude"), 2.0 * pi * parameter(world, "frequency"),
                        parameter_or(world, "phase", 0.0)};
+    g.missing_restitution = world.missing_restitution;
     return g;
 }
 

@@ -8,6 +8,7 @@
 #include "rigs/forward.hpp"
 
 #include <map>
+#include <optional>
 #include <string>
 
 namespace rigs {
@@ -26,6 +27,7 @@ struct OneGrain {
     Drag drag;
     Attraction attraction;
     Vibration vibration;
+    std::optional<MissingRestitution> missing_restitution;
 
     contact::Jkr jkr() const { return {e_star, work_of_adhesion}; }
     double pull_off_force() const;  // N, 3/2 pi w R*

@@ -54,7 +54,9 @@ class ForceCurve {
     double length_ = 0.0, gap_ = 0.0;        // m, of JKR
     double jumps_in_ = 0.0, lets_go_ = 0.0;  // m, separations at which the cantilever does
 
-    double further(double s) const { return missing_ != nullptr ? newtons_at(*missing_, s) : 0.0; }
+    double further(double s) const {
+        return missing_ != nullptr ? straight_between(missing_->knots, missing_->newtons, s) : 0.0;
+    }
 
     double in_contact(double s) const {
         const double elastic = g_.work_of_adhesion > 0.0

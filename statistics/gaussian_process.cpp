@@ -39,6 +39,12 @@ void check(const Data& d, const Hyperparameters& t) {
     if (d.x.rows() != d.y.size())
         refuse("data.x", static_cast<double>(d.x.rows()), "must have one row for each run");
     if (!d.x.allFinite() || !d.y.allFinite()) refuse("data", NAN, "must be finite");
+    if (d.noise_factor.size() != 0 && d.noise_factor.size() != d.y.size())
+        refuse("data.noise_factor", static_cast<double>(d.noise_factor.size()),
+               "must have one entry for each run, or none");
+    if (d.noise_factor.size() != 0 &&
+        !(d.noise_factor.minCoeff() > 0.0 && d.noise_factor.allFinite()))
+        refuse("data.noise_factor", d.noise_factor.minCoeff(), "must be > 0");
     if (t.inverse_length.size() != d.x.cols())
         refuse("inverse_length", static_cast<double>(t.inverse_length.size()),
                "must have one entry for each factor");
@@ -69,7 +75,8 @@ GaussianProcess::GaussianProcess(Data data, Kernel kernel, Hyperparameters theta
     const Index n = data_.y.size();
     MatrixXd k = prior(data_.x, data_.x);
     // Rounding of a nearly singular K is kept below one part in 1e10 of its largest entry.
-    k.diagonal().array() += theta_.noise * theta_.noise + 1e-12 * k.diagonal().maxCoeff();
+    k.diagonal().array() += 1e-12 * k.diagonal().maxCoeff();
+    k.diagonal() += noises();
     k_.compute(k);
     if (k_.info() != Eigen::Success)
         throw InvalidParameter(mistake("gaussian_process.noise", std::to_string(theta_.noise),
@@ -81,6 +88,12 @@ GaussianProcess::GaussianProcess(Data data, Kernel kernel, Hyperparameters theta
     const double log_k = 2.0 * k_.matrixLLT().diagonal().array().log().sum();
     log_likelihood_ = -0.5 * data_.y.dot(p_y_) - 0.5 * log_k - 0.5 * std::log(one_k_one_) -
                       0.5 * static_cast<double>(n - 1) * std::log(2.0 * std::numbers::pi);
+}
+
+VectorXd GaussianProcess::noises() const {
+    const double one = theta_.noise * theta_.noise;
+    if (data_.noise_factor.size() == 0) return VectorXd::Constant(data_.y.size(), one);
+    return one * data_.noise_factor.cwiseAbs2();
 }
 
 Prediction GaussianProcess::at(const MatrixXd& points) const {
@@ -137,7 +150,7 @@ VectorXd GaussianProcess::gradient() const {
             g[d] += wij * 2.0 * v * correlation(kernel_, r2);
             g[d + 1] += wij * 2.0 * s * z.row(i).dot(z.row(j));
         }
-    g[d + 2] = theta_.noise * theta_.noise * w.trace();
+    g[d + 2] = w.diagonal().dot(noises());
     return g;
 }
 

@@ -29,6 +29,8 @@ struct Hyperparameters {
 struct Data {
     Eigen::MatrixXd x;  // [runs][factors]
     Eigen::VectorXd y;  // [runs]
+    // Of each run's noise, in place of 1 for all, > 0: [runs], or none. A forecast's noise is that of a run with 1.
+    Eigen::VectorXd noise_factor{};
 };
 
 struct Prediction {
@@ -53,6 +55,7 @@ class GaussianProcess {
     const Hyperparameters& hyperparameters() const { return theta_; }
 
   private:
+    Eigen::VectorXd noises() const;  // variance of each run
     Eigen::MatrixXd prior(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) const;
 
     Data data_;

@@ -84,7 +84,7 @@ Posterior posterior_of(const Data& data, Kernel kernel, const HyperparameterPrio
         std::sqrt((data.y.array() - mean).square().sum() / static_cast<double>(data.y.size() - 1));
     // Runs that are all equal have no spread; any unit will do.
     const double unit = spread > 0.0 ? spread : std::max(1e-9 * std::abs(mean), 1e-300);
-    return {{data.x, (data.y.array() - mean) / unit}, kernel, prior, unit};
+    return {{data.x, (data.y.array() - mean) / unit, data.noise_factor}, kernel, prior, unit};
 }
 
 Hyperparameters in_unit(Hyperparameters t, double unit) {

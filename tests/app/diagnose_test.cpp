@@ -3,8 +3,11 @@
 // here is made up; the whole command line besides is the program's own.
 #include "app/diagnose.hpp"
 
+#include "app/poured_heaps.hpp"
 #include "app/program.hpp"
+#include "cases/read_case.hpp"
 #include "command_line.hpp"
+#include "rigs/pile.hpp"
 
 #include <catch2/catch.hpp>
 
@@ -281,4 +284,71 @@ TEST_CASE("diagnose: --help shows two examples", "[app][diagnose]") {
     const std::size_t first = o.out.find("  similitude diagnose ");
     REQUIRE(first != std::string::npos);
     CHECK(o.out.find("  similitude diagnose ", first + 1) != std::string::npos);
+}
+
+namespace {
+
+// A scanned heap of a few grains that stick and resist rolling.
+void fill_with_heap(const Folder& f) {
+    f.write("case.json", R"({
+  "format": "similitude-case/1",
+  "grain": {"diameter": "2 mm", "density": "2500 kg/m^3", "youngs_modulus": "0.2 MPa", "poisson_ratio": 0.3},
+  "plate": {"youngs_modulus": "0.2 MPa", "poisson_ratio": 0.3},
+  "surroundings": {"gravity": "9.81 m/s^2"},
+  "model": {"physics": ["gravity", "hertz_mindlin", "adhesion", "rolling_resistance"], "parameters": {"restitution": {"value": 0.5},
+    "sliding_friction": {"value": 0.5}, "rolling_friction": {"value": 0.2},
+    "work_of_adhesion": {"value": "0.1 J/m^2"}}},
+  "experiments": [{"id": "heap", "rig": "pile", "conditions": {"base": "glued_grains", "base_diameter": "8 mm", "grains": 15,
+    "drop_height": "6 mm"}, "recording": "heap.csv", "noise": {"z": "0.1 mm"}, "role": "fit"}]
+})");
+    f.write("heap.csv", "azimuth [deg],r [mm],z [mm]\n0,1,2\n90,1,2\n180,1,2\n270,1,2\n");
+}
+
+// Says what heap it was given for the first experiment.
+diagnose::Verdict heap_in_words(const cases::Case& c, const diagnose::Settings& s, const auto&) {
+    diagnose::Verdict v = verdict(Answer::undecided, s);
+    v.summary = {app::to_text(s.pour({rigs::pile_setup(c, c.experiments.at(0), 1)}).at(0))};
+    return v;
+}
+
+}  // namespace
+
+TEST_CASE("diagnose: heaps are poured under the rules of --contact, and remembered apart",
+          "[app][diagnose]") {
+    const Folder f;
+    fill_with_heap(f);
+    const app::Judge judge = [](const auto&... all) { return heap_in_words(all...); };
+    // Lines of the report are broken where they are long.
+    const auto in_one_line = [](std::string text) {
+        std::erase_if(text, [](char letter) { return letter == ' ' || letter == '\n'; });
+        return text;
+    };
+    const auto told = [&](const std::string& contact) {
+        return in_one_line(
+            diagnosed({f / "case.json", "--contact", contact, "--heaps", f / "heaps"}, judge).out);
+    };
+    const cases::Case c = cases::read_case(f / "case.json");
+    const auto poured = [&](bool as_lammps) {
+        rigs::PileSetup s = rigs::pile_setup(c, c.experiments.at(0), 1);
+        if (as_lammps) rigs::take_lammps_rules(s);
+        rigs::PileRun run = rigs::begin_pile(s, 1);
+        while (!run.finished) rigs::advance(run, s, 1000);
+        std::string text = app::to_text(rigs::record(run, s).heap);
+        return in_one_line(text.substr(0, text.find("end")));
+    };
+    REQUIRE(poured(false) != poured(true));
+    for (int k = 0; k < 2; ++k) {  // the second time recalled
+        CHECK(told("own").find(poured(false)) != std::string::npos);
+        CHECK(told("lammps").find(poured(true)) != std::string::npos);
+    }
+}
+
+TEST_CASE("diagnose: --contact lammps is refused where no heap is poured",
+          "[app][diagnose][input]") {
+    const Folder f;
+    fill(f);
+    const Outcome o = diagnosed({f / "case.json", "--contact", "lammps"}, must_not_judge);
+    INFO(o.err);
+    CHECK(o.code == 2);
+    CHECK(o.err.find("--contact: got lammps") != std::string::npos);
 }

@@ -17,15 +17,16 @@ namespace {
 
 constexpr double sd = 0.1, correlation = 0.8;
 
-// Two numbers that move, one lean, one across.
+// Two numbers that move and scatter by a share of 1 + themselves, one lean, one across.
 struct Runs {
     MatrixXd x, y;
     static VectorXd truth(double a, double b) {
         VectorXd t = VectorXd::Zero(4);
-        t[0] = std::sin(1.5 * a) + 0.3 * b, t[1] = a * b;
+        t[0] = 3.0 + std::sin(1.5 * a) + 0.3 * b, t[1] = 2.0 + a * b;
         return t;
     }
-    Runs(Index n, unsigned seed) : x(n, 2), y(n, 4) {
+    // Scatter goes as exp(steeper a).
+    Runs(Index n, unsigned seed, double steeper = 0.0) : x(n, 2), y(n, 4) {
         std::mt19937_64 random(seed);
         std::uniform_real_distribution<double> even(-1.0, 1.0);
         std::normal_distribution<double> normal;
@@ -36,12 +37,15 @@ struct Runs {
             noise << first,
                 correlation * first + std::sqrt(1.0 - correlation * correlation) * second,
                 2.0 * normal(random), 2.0 * normal(random);
-            y.row(k) = truth(x(k, 0), x(k, 1)) + sd * noise;
+            noise *= std::exp(steeper * x(k, 0));
+            const VectorXd t = truth(x(k, 0), x(k, 1));
+            for (Index m = 0; m < 4; ++m)
+                y(k, m) = m < 2 ? (1.0 + t[m]) * std::exp(sd * noise[m]) - 1.0 : sd * noise[m];
         }
     }
 };
 
-const Numbers numbers{.moved = {0, 1}, .lean = {2}, .across = {3}};
+const Numbers numbers{.moved = {0, 1}, .lean = {2}, .across = {3}, .knee = 1.0};
 
 }  // namespace
 
@@ -56,7 +60,10 @@ TEST_CASE("the emulator's mean and the scatter about it are those of the runs",
         VectorXd x(2);
         x << even(random), even(random);
         const VectorXd m = e.mean(x);
-        worst = std::max(worst, (m - Runs::truth(x[0], x[1])).lpNorm<Eigen::Infinity>());
+        const VectorXd t = Runs::truth(x[0], x[1]);
+        for (Index n = 0; n < 2; ++n)  // the mean of a log-normal
+            worst =
+                std::max(worst, std::abs(std::log((1.0 + m[n]) / (1.0 + t[n])) - 0.5 * sd * sd));
         CHECK(m[2] == 0.0);
         CHECK(m[3] == 0.0);
     }
@@ -66,8 +73,8 @@ TEST_CASE("the emulator's mean and the scatter about it are those of the runs",
     const VectorXd like = Runs::truth(0.2, 0.1);
     const MatrixXd c = e.covariance(like);
     // From 80 runs: a variance is good to sqrt(2/80) = 16 %, wider by the emulator's error and Hotelling's factor.
-    CHECK(std::sqrt(c(0, 0)) == Approx(sd).epsilon(0.35));
-    CHECK(std::sqrt(c(1, 1)) == Approx(sd).epsilon(0.35));
+    CHECK(std::sqrt(c(0, 0)) == Approx(sd * (1.0 + like[0])).epsilon(0.35));
+    CHECK(std::sqrt(c(1, 1)) == Approx(sd * (1.0 + like[1])).epsilon(0.35));
     CHECK(c(0, 1) / std::sqrt(c(0, 0) * c(1, 1)) > 0.6);
     CHECK(std::sqrt(c(2, 2)) == Approx(2.0 * sd).epsilon(0.35));
     CHECK(c(2, 2) == c(3, 3));  // one covariance for both sides
@@ -88,4 +95,19 @@ TEST_CASE("runs not seen are as far off as the covariance says", "[diagnose][pil
     }
     // 960 squares, and six covariances good to some 15 % each.
     CHECK(sum / count == Approx(1.0).margin(0.2));
+}
+
+TEST_CASE("heaps that scatter more in one world than in another are known to",
+          "[diagnose][pile_emulator]") {
+    constexpr double steeper = 0.9;
+    const Runs runs(120, 3, steeper);
+    const PileEmulator e(runs.x, runs.y, numbers, {}, 1);
+    CHECK(e.learned().slopes[0] == Approx(steeper).margin(0.3));  // some 120 logarithms, each to 1
+    CHECK(e.learned().slopes[1] == Approx(0.0).margin(0.3));
+    const auto scatter = [&](double a) {
+        const VectorXd like = Runs::truth(a, 0.0);
+        return std::sqrt(e.covariance(like)(0, 0)) / (1.0 + like[0]);
+    };
+    // 4.2 by the law; runs that look alike come from a band of worlds, which takes some off. 1 where all scatter alike.
+    CHECK(scatter(0.8) / scatter(-0.8) > 1.5);
 }

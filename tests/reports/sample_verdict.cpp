@@ -121,13 +121,13 @@ Verdict unknown_verdict() {
                   .parameters = {},
                   .gates = {},
                   .why = {},
-                  .missing = MissingForceEstimate{"separation",
-                                                  "m",
-                                                  {5e-9, 1e-8, 3e-8},
-                                                  {-1e-8, -2.5e-9, 0.0},
-                                                  {-1.2e-8, -3e-9, -1e-9},
-                                                  {-8e-9, -2e-9, 1e-9},
-                                                  "an attraction to the plate"}}};
+                  .missing = MissingEstimate{"separation",
+                                             "m",
+                                             {5e-9, 1e-8, 3e-8},
+                                             {-1e-8, -2.5e-9, 0.0},
+                                             {-1.2e-8, -3e-9, -1e-9},
+                                             {-8e-9, -2e-9, 1e-9},
+                                             "an attraction to the plate"}}};
     v.fit = {12.0, 2.0, 2.0, {}};
     v.summary = {"Nothing in the catalogue explains it."};
     v.curves = {force_curve()};

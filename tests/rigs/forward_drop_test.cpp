@@ -243,6 +243,16 @@ TEST_CASE("a missing force of one size is a smaller gravity", "[rigs][forward][d
                                z_of({{"height", "200 mm"}}, lighter, t)) < 1e-8);
 }
 
+TEST_CASE("a restitution that is missing a tenth is a smaller one",
+          "[rigs][forward][drop][exact]") {
+    World w = bouncing(0.7), slower = bouncing(0.63);
+    w.missing_restitution = {"impact_speed", {0.1, 1.0}, {-0.1, -0.1}};
+    const std::vector<double> t = evenly(0.0, 0.8, 81);
+    // A contact's own duration goes with its damping: some 20 us of 0.2 s each.
+    REQUIRE(largest_difference(z_of({{"height", "200 mm"}}, w, t),
+                               z_of({{"height", "200 mm"}}, slower, t)) < 1e-5);
+}
+
 // dem_min at 4000 steps an impact. There friction acts at the sunken contact, nearer to the centre by 0.25 % of R, which
 // moves the slip by (5/7) 2 0.25 % at most.
 TEST_CASE("an oblique bounce is that of the core", "[rigs][forward][drop][pair]") {

@@ -149,6 +149,28 @@ TEST_CASE("a step that is too long throws a grain back wrongly", "[rigs][forward
     }
 }
 
+TEST_CASE("a missing restitution takes its share of the rebound and no more",
+          "[rigs][forward][impact][exact]") {
+    World w = glass("hertz_coulomb", 0.8, 0.15);
+    const std::vector<double> angles{0.1, 0.3, 0.7, 1.2};
+    const Curves plain = thrown(w, angles);
+    w.missing_restitution = {"impact_angle", {0.2, 0.4, 1.0}, {0.0, -0.1, -0.4}};
+    const Curves angled = thrown(w, angles);
+    const double kept[] = {1.0, 0.95, 0.75, 0.6};  // straight between, constant beyond
+    for (std::size_t k = 0; k < angles.size(); ++k) {
+        REQUIRE(angled.at("normal_restitution")[k] == Approx(0.8 * kept[k]).epsilon(1e-12));
+        REQUIRE(angled.at("rebound_spin")[k] == plain.at("rebound_spin")[k]);
+    }
+    // 2 m/s times cos(angle): 1.99, 1.91, 1.53, 0.72 m/s.
+    w.missing_restitution = {"impact_speed", {1.0, 1.8}, {-0.2, 0.0}};
+    const Curves fast = thrown(w, angles);
+    REQUIRE(fast.at("normal_restitution")[0] == Approx(0.8).epsilon(1e-12));
+    REQUIRE(fast.at("normal_restitution")[3] == Approx(0.64).epsilon(1e-12));
+    // Less than nothing is nothing.
+    w.missing_restitution = {"impact_angle", {0.0}, {-3.0}};
+    REQUIRE(thrown(w, {0.3}).at("normal_restitution")[0] == 0.0);
+}
+
 TEST_CASE("an impact has no room for a missing force", "[rigs][forward][impact][domain]") {
     World w = glass("hertz_mindlin", 0.8, 0.2);
     w.missing = {"angle", {0.0}, {0.0}};

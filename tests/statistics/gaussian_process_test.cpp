@@ -157,11 +157,36 @@ TEST_CASE("gaussian process: covariance has the variance on its diagonal and see
         REQUIRE(after[k] == Approx(v[k] - c(k, 0) * c(k, 0) / (c(0, 0) + 0.09)).epsilon(1e-8));
 }
 
+// Four runs at one place tell what one run with their mean and half the noise tells.
+TEST_CASE("gaussian process: a run of half the noise counts as four", "[statistics][identity]") {
+    std::mt19937_64 random(12);
+    const MatrixXd places = uniform(random, 6, 2);
+    const VectorXd other = normal(random, 6), four = normal(random, 4);
+    MatrixXd x(9, 2);
+    x << places, places.row(5).replicate(3, 1);
+    VectorXd y(9), mean = other, factor = VectorXd::Ones(6);
+    y << other.head(5), four;
+    mean[5] = four.mean(), factor[5] = 0.5;
+    const Hyperparameters t = hyper(0.8, 1.1, 0.6, 0.3, 2);
+    const GaussianProcess all({x, y}, Kernel::matern52, t),
+        one({places, mean, factor}, Kernel::matern52, t);
+    const MatrixXd at = uniform(random, 20, 2);
+    const Prediction a = all.at(at), b = one.at(at);
+    CHECK((a.mean - b.mean).norm() < 1e-9);
+    CHECK((a.variance - b.variance).norm() < 1e-9);
+    CHECK_THROWS_AS(GaussianProcess({places, mean, VectorXd::Ones(5)}, Kernel::matern52, t),
+                    scaling::InvalidParameter);
+    factor[2] = 0.0;
+    CHECK_THROWS_AS(GaussianProcess({places, mean, factor}, Kernel::matern52, t),
+                    scaling::InvalidParameter);
+}
+
 TEST_CASE("gaussian process: the gradient is the slope of the likelihood",
           "[statistics][identity]") {
     const Kernel kernel = GENERATE(Kernel::matern52, Kernel::squared_exponential);
     std::mt19937_64 random(7);
-    const Data data{uniform(random, 10, 2), normal(random, 10)};
+    Data data{uniform(random, 10, 2), normal(random, 10)};
+    if (GENERATE(false, true)) data.noise_factor = VectorXd::LinSpaced(10, 0.4, 2.0);
     VectorXd logs(5);
     logs << std::log(0.7), std::log(0.3), std::log(1.4), std::log(0.8), std::log(0.25);
     const auto process = [&](const VectorXd& t) {
