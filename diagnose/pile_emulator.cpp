@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 namespace diagnose {
@@ -27,16 +28,46 @@ statistics::HyperparameterPrior prior() {
     return p;
 }
 
-// About 0, of residuals [rows][numbers]. Correlations are shrunk by numbers/rows; the mean of the inverse of a covariance from `rows`
-// draws is too large by rows/(rows - numbers - 1), and so is this one made wider.
-MatrixXd covariance_of(const MatrixXd& residuals) {
+// Sums of squares of `rows` residuals as a covariance, drawn a share of the way towards one that knows but the deviations and how
+// alike neighbours of a channel are: correlation^distance (Ledoit & Wolf 2004 draw towards the deviations alone, which
+// hides that the shape of a flank scatters less than its height).
+MatrixXd drawn_to_neighbours(const MatrixXd& squares, double rows, double share,
+                             const std::vector<Index>& channel) {
+    const MatrixXd c = squares / rows;
+    const VectorXd sd = c.diagonal().cwiseMax(1e-300).cwiseSqrt();
+    double sum = 0.0, count = 0.0;
+    for (Index k = 1; k < c.rows(); ++k)
+        if (channel[static_cast<std::size_t>(k)] == channel[static_cast<std::size_t>(k - 1)])
+            sum += c(k, k - 1) / (sd[k] * sd[k - 1]), count += 1.0;
+    const double alike = count > 0.0 ? std::clamp(sum / count, 0.0, 0.99) : 0.0;
+    MatrixXd target = MatrixXd::Zero(c.rows(), c.cols());
+    for (Index i = 0; i < c.rows(); ++i)
+        for (Index j = 0; j < c.cols(); ++j)
+            if (channel[static_cast<std::size_t>(i)] == channel[static_cast<std::size_t>(j)])
+                target(i, j) = sd[i] * sd[j] * std::pow(alike, std::abs(i - j));
+    return (1.0 - share) * c + share * target;
+}
+
+// About 0, of residuals [rows][numbers]; numbers of one channel stand together. The share is the one by which each row is told best
+// from the others; then all is made wider by what those rows are further off than that says.
+MatrixXd covariance_of(const MatrixXd& residuals, const std::vector<Index>& channel) {
     const auto rows = static_cast<double>(residuals.rows()),
                numbers = static_cast<double>(residuals.cols());
-    MatrixXd c = residuals.transpose() * residuals / std::max(1.0, rows - numbers - 1.0);
-    const VectorXd own = c.diagonal();
-    c *= 1.0 - std::min(0.5, numbers / rows);
-    c.diagonal() = own;
-    return c;
+    const MatrixXd squares = residuals.transpose() * residuals;
+    double best = std::numeric_limits<double>::max(), chosen = 1.0, wider = 1.0;
+    for (const double share : {0.1, 0.2, 0.35, 0.5, 0.7, 0.9}) {
+        double cost = 0.0, distance = 0.0;
+        for (Index r = 0; r < residuals.rows(); ++r) {
+            const VectorXd e = residuals.row(r);
+            const Eigen::LDLT<MatrixXd> ldlt(
+                drawn_to_neighbours(squares - e * e.transpose(), rows - 1.0, share, channel));
+            const double own = e.dot(ldlt.solve(e));
+            distance += own / (rows * numbers);
+            cost += own + ldlt.vectorD().cwiseMax(1e-300).array().log().sum();
+        }
+        if (cost < best) best = cost, chosen = share, wider = distance;
+    }
+    return std::max(1.0, wider) * drawn_to_neighbours(squares, rows, chosen, channel);
 }
 
 }  // namespace
@@ -115,14 +146,15 @@ VectorXd PileEmulator::mean(const VectorXd& x) const {
     return m;
 }
 
+// By what the others say of each run: its own scatter must not decide whether it is looked at.
 std::vector<Index> PileEmulator::nearest(const VectorXd& like, Index most) const {
     std::vector<std::pair<double, Index>> sorted;
     for (Index r = 0; r < y_.rows(); ++r) {
         double sum = 0.0;
         for (const Index k : numbers_.moved)
-            sum += std::pow(
-                (y_(r, k) - stretched(like[k])) / learned_.hyper[static_cast<std::size_t>(k)].noise,
-                2);
+            sum += std::pow((y_(r, k) - left_out_(r, k) - stretched(like[k])) /
+                                learned_.hyper[static_cast<std::size_t>(k)].noise,
+                            2);
         sorted.push_back({sum, r});
     }
     std::stable_sort(sorted.begin(), sorted.end(),
@@ -166,6 +198,12 @@ MatrixXd PileEmulator::covariance(const VectorXd& like) const {
             }
         return part;
     };
+    const Index rings = y_.cols() / 4;
+    const auto channels = [&](const std::vector<Index>& numbers) {
+        std::vector<Index> list;
+        for (const Index k : numbers) list.push_back(k / rings);
+        return list;
+    };
     MatrixXd whole = MatrixXd::Zero(y_.cols(), y_.cols());
     const auto put = [&](const std::vector<Index>& numbers, const MatrixXd& c) {
         for (std::size_t a = 0; a < numbers.size(); ++a)
@@ -175,13 +213,14 @@ MatrixXd PileEmulator::covariance(const VectorXd& like) const {
     VectorXd size(static_cast<Index>(numbers_.moved.size()));
     for (Index k = 0; k < size.size(); ++k)
         size[k] = numbers_.knee + std::max(0.0, like[numbers_.moved[static_cast<std::size_t>(k)]]);
-    put(numbers_.moved,
-        size.asDiagonal() * covariance_of(residuals(numbers_.moved)) * size.asDiagonal());
+    put(numbers_.moved, size.asDiagonal() *
+                            covariance_of(residuals(numbers_.moved), channels(numbers_.moved)) *
+                            size.asDiagonal());
     // Leans to the two sides scatter alike: one covariance from both.
     const MatrixXd lean = residuals(numbers_.lean), across = residuals(numbers_.across);
     MatrixXd both(2 * most, lean.cols());
     both << lean, across;
-    const MatrixXd c = covariance_of(both);
+    const MatrixXd c = covariance_of(both, channels(numbers_.lean));
     put(numbers_.lean, c), put(numbers_.across, c);
     return whole;
 }

@@ -11,13 +11,12 @@
 
 namespace diagnose {
 
-// Which numbers of a run move with the world, and which lean to one side or to the other across: without a tilt they are 0 on
-// average, and scatter alike.
+// Four channels of as many numbers stand one after the other. Which of them move with the world, channel by channel, and which lean
+// to one side or to the other across: without a tilt they are 0 on average, and scatter alike.
 struct Numbers {
     std::vector<Eigen::Index> moved, lean, across;  // lean and across: ring by ring, of one length
     bool tilted = false;                            // `lean` moves, too: runs are tilted that way
-    double knee =
-        1.0;  // unit of y, > 0: numbers that move are >= 0 and scatter by a share of knee + y
+    double knee = 1.0;  // unit of y: numbers that move are >= 0 and scatter by a share of knee + y
 };
 
 class PileEmulator {
@@ -32,8 +31,8 @@ class PileEmulator {
 
     Eigen::VectorXd mean(const Eigen::VectorXd& x) const;  // [numbers]
     // Covariance of a run about the mean, scatter of seeds and error of the emulator in one: of the left-out residuals of the runs
-    // whose heaps are most like this one, each over its scatter, times the scatter of those nearest of all. Widened for the number
-    // of runs that it is known from (Hotelling).
+    // whose heaps are most like this one, each over its scatter, times the scatter of those nearest of all. Wide enough for the runs it
+    // is known from, each told by the others.
     Eigen::MatrixXd covariance(const Eigen::VectorXd& like) const;
     // Share of that variance which is the emulator's own error, the same for all heaps of one world.
     double share_of_error(const Eigen::VectorXd& like) const;

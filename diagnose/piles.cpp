@@ -178,12 +178,12 @@ Piles::Inside::View& Piles::Inside::view_of(const cases::Experiment& e) const {
     auto v = std::make_unique<View>(View{family, std::move(spots), noise, std::move(rings), {}});
     const VectorXd one = v->rings.reduced(v->spots.z, true);
     const auto n = static_cast<Index>(v->rings.count());
-    for (Index k = 0; k < n; ++k) {
-        for (const Index c : {Index{0}, Index{3}})
+    for (const Index c : {Index{0}, Index{3}})
+        for (Index k = 0; k < n; ++k)
             if (std::isfinite(one[c * n + k])) v->numbers.moved.push_back(c * n + k);
+    for (Index k = 0; k < n; ++k)
         if (std::isfinite(one[n + k]))
             v->numbers.lean.push_back(n + k), v->numbers.across.push_back(2 * n + k);
-    }
     v->numbers.knee = 0.5 * e.grain.diameter.value.value();
     v->numbers.tilted = std::any_of(family->axes.begin(), family->axes.end(),
                                     [](const Axis& a) { return a.parameter == "tilt_angle"; });

@@ -112,8 +112,8 @@ double lammps_dashpot(double e) {
 }
 
 // LAMMPS' own mixing: E* = E/(2 (1 - nu^2)) and 8 G* from the same E and nu; its surface energy is half the work of adhesion.
-// SDS rolling resists mu R* (F_n + 2 F_po) at most; its spring and dashpot are stiff enough to count as rigid: full after a roll of
-// mu d/100.
+// Grains that stick resist twisting, too (Marshall 2009). SDS rolling resists mu R* (F_n + 2 F_po) at most; its spring and dashpot are
+// stiff enough to count as rigid: full after a roll of mu d/100.
 std::string pair_of(const Pour& p) {
     const Powder& g = p.grain;
     const HeapPhysics& a = p.acts;
@@ -130,6 +130,7 @@ std::string pair_of(const Pour& p) {
         text += fmt::format(" rolling sds {:.12g} {:.12g} {:.12g}", k, std::sqrt(k * mass(p)),
                             a.rolling_friction);
     }
+    if (a.work_of_adhesion > 0.0) text += " twisting marshall";
     return text;
 }
 
