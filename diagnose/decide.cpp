@@ -20,7 +20,9 @@ constexpr double far_apart = 3.0;    // sigma between two hypotheses that record
 constexpr double sure = 0.75;        // probability at which rivals that far apart are out
 constexpr double sure_of_two = 0.9;  // the same of two effects: their look-alikes are many
 constexpr double close_odds = 3.0;   // log odds of a rival that stands while the winner is not sure
-constexpr double negligible_odds = 14.0;
+// Log odds at which a rival is out though recordings like these need not tell it apart: of single grains, and of heaps, whose
+// covariances have the error of the emulator in them.
+constexpr double negligible_odds = 14.0, negligible_of_heaps = 5.0;
 constexpr std::size_t most_alike = 3;  // hypotheses that a next experiment is to tell apart
 
 using Names = std::vector<std::string>;
@@ -86,6 +88,9 @@ class Decision {
         const Problem& both = planned ? planned->problem : j_.problem;
         const Whitener w(both, planned ? planned->noise : j_.noise);
         const Candidate truth = carried_over(both, *winner_->best);
+        const bool heaps = std::all_of(j_.problem.records.begin(), j_.problem.records.end(),
+                                       [](const Record& r) { return r.covariance.size() > 0; });
+        const double negligible = heaps ? negligible_of_heaps : negligible_odds;
         std::vector<std::pair<double, const Group*>> list;
         for (const Group& g : groups_) {
             if (&g == winner_ || is_unknown(g) || contains(g.effects, winner_->effects)) continue;
@@ -93,7 +98,7 @@ class Decision {
             const bool near_in_odds = behind < close_odds;
             // Other two are too many for all of them to be 3 sigma away: odds alone must do.
             const bool two = winner_->effects.size() == 2, both_two = two && g.effects.size() == 2;
-            if (behind > negligible_odds || (both_two && !near_in_odds)) continue;
+            if (behind > negligible || (both_two && !near_in_odds)) continue;
             if (g.effects.empty()) {  // chance
                 if (near_in_odds) list.push_back({0.0, &g});
                 continue;

@@ -138,11 +138,12 @@ VectorXd PileEmulator::mean(const VectorXd& x) const {
     for (Index k = 0; k < m.size(); ++k)
         if (const int p = process_of_[static_cast<std::size_t>(k)]; p >= 0)
             m[k] = processes_[static_cast<std::size_t>(p)].at(x.transpose()).mean[0];
-    // The mean of what is normal in the logarithm.
-    for (const Index k : numbers_.moved)
-        m[k] =
-            numbers_.knee *
-            std::expm1(m[k] + 0.5 * std::pow(learned_.hyper[static_cast<std::size_t>(k)].noise, 2));
+    // The mean of what is normal in the logarithm, with the scatter that there is here.
+    const double factor = std::exp(learned_.slopes.dot(x));
+    for (const Index k : numbers_.moved) {
+        const double scatter = factor * learned_.hyper[static_cast<std::size_t>(k)].noise;
+        m[k] = numbers_.knee * std::expm1(m[k] + 0.5 * scatter * scatter);
+    }
     return m;
 }
 

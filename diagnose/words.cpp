@@ -98,9 +98,9 @@ std::string described(const MissingEstimate& m) {
     const bool sure = m.low[strongest] * m.high[strongest] > 0.0;
     const double f = m.values[strongest];
     if (m.of_restitution)
-        return fmt::format("a rebound {} by {:.2g} % at {} = {}{}", f < 0.0 ? "slower" : "faster",
-                           100.0 * std::abs(f), m.variable,
-                           cases::format_si(m.knots[strongest], m.unit),
+        return fmt::format("a rebound {} by {:.2g} % at an {} of {}{}",
+                           f < 0.0 ? "slower" : "faster", 100.0 * std::abs(f),
+                           plain_name(m.variable), cases::format_si(m.knots[strongest], m.unit),
                            sure ? "" : " (not sure to 90 %)");
     const std::string sort =
         m.variable == "z" || m.variable == "separation"
