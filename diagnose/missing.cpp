@@ -50,11 +50,8 @@ Term term_of(const std::string& variable, const std::vector<double>& knots, bool
 }
 
 std::vector<double> evenly(double low, double high, std::size_t count) {
-    std::vector<double> list;
-    for (std::size_t k = 0; k < count; ++k)
-        list.push_back(low +
-                       (high - low) * static_cast<double>(k) / static_cast<double>(count - 1));
-    return list;
+    const VectorXd all = VectorXd::LinSpaced(static_cast<Index>(count), low, high);
+    return {all.begin(), all.end()};
 }
 
 std::vector<double> in_equal_ratios(double low, double high, std::size_t count) {

@@ -112,16 +112,16 @@ void PileEmulator::fit(bool anew, int threads) {
 // Least squares of the logarithm of what each run is off by, rms over the numbers that move, over its scatter so far. A slope is
 // thought to be 0 give or take 1.
 void PileEmulator::learn_scatter() {
-    const auto moved = static_cast<Index>(numbers_.moved.size());
+    if (numbers_.moved.empty()) return;
+    const VectorXd factors = scatter();
     VectorXd off = VectorXd::Zero(x_.rows());
     for (const Index k : numbers_.moved) {
-        const VectorXd e = left_out_.col(k).cwiseQuotient(scatter());
+        const VectorXd e = left_out_.col(k).cwiseQuotient(factors);
         off += e.cwiseAbs2() / std::max(1e-300, e.squaredNorm());
     }
-    if (moved == 0) return;
     const VectorXd logs = 0.5 * off.cwiseMax(1e-12).array().log();
     // A chi squared's logarithm scatters by about 1 where few numbers are independent.
-    MatrixXd about = x_.rowwise() - x_.colwise().mean();
+    const MatrixXd about = x_.rowwise() - x_.colwise().mean();
     MatrixXd normal = about.transpose() * about;
     normal.diagonal().array() += 1.0;
     learned_.slopes +=
@@ -188,7 +188,7 @@ MatrixXd PileEmulator::covariance(const VectorXd& like) const {
     const std::vector<Index> runs = nearest(like, std::max(fewest_neighbours, y_.rows() / 2));
     const auto most = static_cast<Index>(runs.size());
     const VectorXd factors = scatter();
-    const std::vector<Index> alone = nearest(like, like_alone);
+    const std::vector<Index> alone(runs.begin(), runs.begin() + std::min(most, like_alone));
     const double here = std::sqrt(factors(alone).squaredNorm() / static_cast<double>(alone.size()));
     const auto residuals = [&](const std::vector<Index>& numbers) {
         MatrixXd part(most, static_cast<Index>(numbers.size()));

@@ -132,20 +132,29 @@ double parameter_or(const World& world, const std::string& name, double otherwis
     return p == world.parameters.end() ? otherwise : p->second;
 }
 
-void check_missing(const World& world, const std::string& rig,
-                   const std::vector<std::string>& variables) {
-    if (!world.missing) return;
-    const MissingForce& m = *world.missing;
+namespace {
+
+// What is missing as a function of one variable of the state.
+void check_function(const std::string& what, const std::string& variable,
+                    const std::vector<std::string>& variables, const std::vector<double>& knots,
+                    const std::vector<double>& values) {
     std::string list;
     for (const std::string& name : variables) list += (list.empty() ? "" : ", ") + name;
-    if (std::find(variables.begin(), variables.end(), m.variable) == variables.end())
+    if (std::find(variables.begin(), variables.end(), variable) == variables.end())
         throw InvalidInput(
-            mistake("missing force on " + rig, m.variable,
+            mistake(what, variable,
                     list.empty() ? "must not be asked for" : "must depend on one of " + list,
                     "name a variable that the rig has"));
-    if (m.knots.size() != m.newtons.size() || !std::is_sorted(m.knots.begin(), m.knots.end()))
-        throw InvalidInput(mistake("missing force on " + rig, "its knots",
-                                   "must rise, one force each", "sort them"));
+    if (knots.size() != values.size() || !std::is_sorted(knots.begin(), knots.end()))
+        throw InvalidInput(mistake(what, "its knots", "must rise, one value each", "sort them"));
+}
+
+}  // namespace
+
+void check_missing(const World& world, const std::string& rig,
+                   const std::vector<std::string>& variables) {
+    if (const auto& m = world.missing)
+        check_function("missing force on " + rig, m->variable, variables, m->knots, m->newtons);
 }
 
 OneGrain one_grain(const Stated& stated, const World& world, Counterpart counterpart) {
@@ -189,6 +198,9 @@ OneGrain one_grain(const Stated& stated, const World& world, Counterpart counter
     if (acts(world, "vibration"))
         g.vibration = {parameter(world, "amplitude"), 2.0 * pi * parameter(world, "frequency"),
                        parameter_or(world, "phase", 0.0)};
+    if (const auto& m = world.missing_restitution)
+        check_function("missing restitution", m->variable, {"impact_angle", "impact_speed"},
+                       m->knots, m->shares);
     g.missing_restitution = world.missing_restitution;
     return g;
 }

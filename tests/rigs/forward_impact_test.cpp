@@ -166,6 +166,10 @@ TEST_CASE("a missing restitution takes its share of the rebound and no more",
     const Curves fast = thrown(w, angles);
     REQUIRE(fast.at("normal_restitution")[0] == Approx(0.8).epsilon(1e-12));
     REQUIRE(fast.at("normal_restitution")[3] == Approx(0.64).epsilon(1e-12));
+    w.missing_restitution = {"angle", {0.2}, {0.0}};
+    REQUIRE_THROWS_AS(thrown(w, {0.3}), scaling::InvalidInput);
+    w.missing_restitution = {"impact_angle", {0.2, 0.4}, {0.0}};
+    REQUIRE_THROWS_AS(thrown(w, {0.3}), scaling::InvalidInput);
     // Less than nothing is nothing.
     w.missing_restitution = {"impact_angle", {0.0}, {-3.0}};
     REQUIRE(thrown(w, {0.3}).at("normal_restitution")[0] == 0.0);
