@@ -132,8 +132,8 @@ class Decision {
         }
         j_.left_out_base = left_out_misfit(j_.problem, *j_.whiten, j_.base.h, j_.base.fit);
         j_.left_out_winner = left_out_misfit(j_.problem, *j_.whiten, c.h, c.fit);
-        const bool beyond_unknown = !unknown_ || winner_->probability >= sure ||
-                                    unknown_->log_weight < winner_->log_weight - close_odds;
+        const bool beyond_unknown =
+            !unknown_ || unknown_->log_weight < winner_->log_weight - close_odds;
         const bool named = rivals_.empty() && beyond_unknown && v_.p_value < name_level && all_pass;
         v_.answer = named ? Answer::explained : Answer::ambiguous;
         if (named) return;

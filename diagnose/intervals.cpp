@@ -143,22 +143,29 @@ MissingEstimate missing_of(const Candidate& c) {
     MissingEstimate m{.variable = term.missing_variable,
                       .unit = "",
                       .knots = term.missing_knots,
-                      .values = {},
+                      .values = missing_at(c.h, c.fit.theta, term),
                       .low = {},
                       .high = {},
                       .words = "",
-                      .of_restitution = term.of_restitution};
+                      .of = term.missing,
+                      .unit_of_values = term.unknowns.front().unit,
+                      .channel = term.channel};
     m.unit = m.variable == "t"                                       ? "s"
              : m.variable.ends_with("speed") || m.variable == "slip" ? "m/s"
              : m.variable == "spin"                                  ? "rad/s"
              : m.variable == "impact_angle"                          ? "rad"
                                                                      : "m";
-    const VectorXd errors = standard_errors(c.h.unknowns, c.fit);
     const auto n = static_cast<Index>(term.unknowns.size());
-    for (Index k = c.fit.theta.size() - n; k < c.fit.theta.size(); ++k) {
-        m.values.push_back(c.fit.theta[k]);
-        m.low.push_back(c.fit.theta[k] - deviations * errors[k]);
-        m.high.push_back(c.fit.theta[k] + deviations * errors[k]);
+    const Eigen::MatrixXd covariance = c.fit.covariance.bottomRightCorner(n, n);
+    for (std::size_t j = 0; j < m.knots.size(); ++j) {
+        VectorXd shape(n);  // in deviations of each unknown, as the covariance is
+        for (Index k = 0; k < n; ++k) {
+            const auto at = static_cast<std::size_t>(k);
+            shape[k] = term.unknowns[at].deviation * term.missing_shapes[at][j];
+        }
+        const double error = std::sqrt(shape.dot(covariance * shape));
+        m.low.push_back(m.values[j] - deviations * error);
+        m.high.push_back(m.values[j] + deviations * error);
     }
     m.words = described(m);
     return m;

@@ -52,12 +52,12 @@ void along_the_valley(const Fit& f, const VectorXd& u, std::vector<VectorXd>& li
         }
 }
 
+}  // namespace
+
 bool has_force_curve(const Problem& p) {
     return std::any_of(p.records.begin(), p.records.end(),
                        [](const Record& r) { return r.experiment->rig == "pull_off"; });
 }
-
-}  // namespace
 
 Deeper deeper_minimum(const Problem& p, const Whitener& w, const Hypothesised& h, const Fit& from) {
     constexpr int rounds = 3, short_fit = 4, long_fit = 25;

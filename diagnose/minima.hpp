@@ -8,6 +8,9 @@
 
 namespace diagnose {
 
+// A jump one row too early looks like nothing that fits.
+bool has_force_curve(const Problem&);
+
 struct Deeper {
     Fit fit;
     std::vector<Place> left;  // shallower minima that fits had ended in

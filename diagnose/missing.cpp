@@ -2,9 +2,12 @@
 #include "diagnose/missing.hpp"
 
 #include "diagnose/locate.hpp"
+#include "diagnose/minima.hpp"
 #include "diagnose/starts.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +24,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr std::size_t force_knots = 8, restitution_knots = 6;
+// Size and length are chosen among some 120, the variable among those there are; neighbours of the best do well, too.
+constexpr double looked_elsewhere = 4.0;  // log evidence
+
+constexpr std::size_t force_knots = 8, restitution_knots = 6, drift_knots = 8;
 
 struct Range {
     double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
@@ -31,22 +37,16 @@ struct Range {
     }
 };
 
-Term term_of(const std::string& variable, const std::vector<double>& knots, bool of_restitution) {
-    Term t{.effect = "unknown",
-           .unknowns = {},
-           .two_sided = true,
-           .missing_variable = variable,
-           .missing_knots = knots,
-           .of_restitution = of_restitution};
-    for (std::size_t k = 0; k < knots.size(); ++k)
-        t.unknowns.push_back(
-            {.name = (of_restitution ? "share_" : "force_") + std::to_string(k + 1),
-             .unit = of_restitution ? "1" : "N",
-             .target =
-                 of_restitution ? Target::missing_restitution_knot : Target::missing_force_knot,
-             .prior = Prior::gaussian,
-             .index = k});
-    return t;
+Term term_of(Missing missing, const std::string& variable, std::vector<double> knots,
+             const std::set<std::string>& rigs, const std::string& channel = {}) {
+    return {.effect = "unknown",
+            .channel = channel,
+            .unknowns = {},
+            .two_sided = true,
+            .missing_variable = variable,
+            .missing_rigs = rigs,
+            .missing_knots = std::move(knots),
+            .missing = missing};
 }
 
 std::vector<double> evenly(double low, double high, std::size_t count) {
@@ -74,8 +74,8 @@ void add_forces(const Problem& p, const Candidate& start, std::vector<Term>& ter
     }
     for (const auto& [name, range] : ranges) {
         if (!(range.high > range.low)) continue;
-        terms.push_back(term_of(name, evenly(range.low, range.high, force_knots), false));
-        terms.back().missing_rigs = range.rigs;
+        terms.push_back(
+            term_of(Missing::force, name, evenly(range.low, range.high, force_knots), range.rigs));
     }
 }
 
@@ -93,15 +93,45 @@ void add_restitutions(const Problem& p, const Candidate& start, std::vector<Term
             if (v > 0.0) speed.take(v);
     }
     if (speed.rigs.empty()) return;
-    terms.push_back(
-        term_of("impact_angle", evenly(0.0, 0.5 * std::numbers::pi, restitution_knots), true));
-    terms.back().missing_rigs = speed.rigs;
+    terms.push_back(term_of(Missing::restitution, "impact_angle",
+                            evenly(0.0, 0.5 * std::numbers::pi, restitution_knots), speed.rigs));
     if (!(speed.high > 1.05 * speed.low)) return;
     terms.push_back(term_of(
-        "impact_speed",
+        Missing::restitution, "impact_speed",
         in_equal_ratios(std::max(speed.low, speed.high / widest), speed.high, restitution_knots),
-        true));
-    terms.back().missing_rigs = speed.rigs;
+        speed.rigs));
+}
+
+// Drifts: of each channel that is read over time, alike in all recordings of a rig. What settles after a start does so fast at
+// first: knots go with the square.
+void add_drifts(const Problem& p, std::vector<Term>& terms) {
+    std::map<std::pair<std::string, std::string>, double> last;  // s, by rig and channel
+    for (const Record& r : p.records) {
+        if (r.ordinate != "t" || r.covariance.size() > 0) continue;
+        for (const Channel& c : r.channels) {
+            double& end = last[{r.experiment->rig, c.name}];
+            end = std::max(end, *std::max_element(r.ordinates.at.begin(), r.ordinates.at.end()));
+        }
+    }
+    for (const auto& [where, end] : last) {
+        if (!(end > 0.0)) continue;
+        std::vector<double> knots = evenly(0.0, 1.0, drift_knots);
+        for (double& k : knots) k *= k * end;
+        terms.push_back(term_of(Missing::drift, "t", knots, {where.first}, where.second));
+    }
+}
+
+// Of the largest range of a channel that was recorded, a hundredth.
+double unit_of_drift(const Problem& p, const std::string& channel) {
+    double unit = 0.0;
+    for (const Record& r : p.records)
+        for (const Channel& c : r.channels) {
+            if (c.name != channel) continue;
+            Range range;
+            for (const double v : c.recorded) range.take(v);
+            unit = std::max(unit, 0.01 * (range.high - range.low));
+        }
+    return unit;
 }
 
 // N that forces are measured by: a grain's weight, or a twentieth of the largest force recorded.
@@ -119,21 +149,69 @@ double unit_of_force(const Problem& p) {
     return unit;
 }
 
-// Size of the knots, in units, of greatest evidence at first order: log det(1 + s^2 A) and b' (A + 1/s^2)^-1 b.
-double likeliest_size(const MatrixXd& slopes, const VectorXd& left) {
-    const MatrixXd a = slopes.transpose() * slopes;
-    const VectorXd b = slopes.transpose() * left;
-    double best = std::numeric_limits<double>::lowest(), chosen = 1.0;
-    for (double s = 1e-4; s < 300.0; s *= 2.0) {
-        MatrixXd m = a;
-        m.diagonal().array() += 1.0 / (s * s);
-        const Eigen::LDLT<MatrixXd> ldlt(m);
-        const double log_det = ldlt.vectorD().array().abs().log().sum() +
-                               2.0 * static_cast<double>(b.size()) * std::log(s);
-        const double log_z = 0.5 * b.dot(ldlt.solve(b)) - 0.5 * log_det;
-        if (log_z > best) best = log_z, chosen = s;
+// A Gaussian about nothing over the values at n knots, whose correlation falls with their distance as exp(-x^2/2 l^2), l in
+// knots: its main axes [n][axes], each as long as its deviation. l = 0: every knot by itself.
+MatrixXd axes_of(Index n, double l) {
+    MatrixXd k = MatrixXd::Identity(n, n);
+    if (l > 0.0)
+        for (Index a = 0; a < n; ++a)
+            for (Index b = 0; b < n; ++b)
+                k(a, b) = std::exp(-0.5 * static_cast<double>((a - b) * (a - b)) / (l * l));
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(k);
+    constexpr double least = 1e-4;  // of the largest variance: shapes below it move nothing
+    Index kept = 0;
+    while (kept < n && eigen.eigenvalues()[n - 1 - kept] > least * eigen.eigenvalues()[n - 1])
+        ++kept;
+    MatrixXd axes(n, kept);
+    for (Index m = 0; m < kept; ++m)
+        axes.col(m) =
+            eigen.eigenvectors().col(n - 1 - m) * std::sqrt(eigen.eigenvalues()[n - 1 - m]);
+    return axes;
+}
+
+// What a term may be, of greatest evidence at first order: log det(1 + s^2 A) and b' (A + 1/s^2)^-1 b.
+struct Guess {
+    double log_evidence = std::numeric_limits<double>::lowest(), size = 1.0;
+    MatrixXd axes{};
+};
+
+Guess likeliest(const MatrixXd& slopes, const VectorXd& left) {
+    Guess best;
+    for (const double share : {0.0, 0.1, 0.2, 0.4, 0.8, 1.6}) {  // of the range
+        const MatrixXd axes = axes_of(slopes.cols(), share * static_cast<double>(slopes.cols()));
+        const MatrixXd a = axes.transpose() * slopes.transpose() * slopes * axes;
+        const VectorXd b = axes.transpose() * slopes.transpose() * left;
+        for (double s = 1e-4; s < 300.0; s *= 2.0) {
+            MatrixXd m = a;
+            m.diagonal().array() += 1.0 / (s * s);
+            const Eigen::LDLT<MatrixXd> ldlt(m);
+            const double log_det = ldlt.vectorD().array().abs().log().sum() +
+                                   2.0 * static_cast<double>(b.size()) * std::log(s);
+            const double log_z = 0.5 * b.dot(ldlt.solve(b)) - 0.5 * log_det;
+            if (log_z > best.log_evidence) best = {log_z, s, axes};
+        }
     }
-    return chosen;
+    return best;
+}
+
+// One unknown for each axis.
+void set_shapes(Term& term, const MatrixXd& axes, double size) {
+    const std::string unit = term.missing == Missing::force   ? "N"
+                             : term.missing == Missing::drift ? unit_of_channel(term.channel)
+                                                              : "1";
+    term.unknowns.clear(), term.missing_shapes.clear();
+    for (Index k = 0; k < axes.cols(); ++k) {
+        term.unknowns.push_back({.name = fmt::format("shape_{}", k + 1),
+                                 .unit = unit,
+                                 .target = Target::missing_shape,
+                                 .prior = Prior::gaussian,
+                                 .low = -100.0 * size,
+                                 .high = 100.0 * size,
+                                 .deviation = size,
+                                 .index = static_cast<std::size_t>(k)});
+        const VectorXd shape = axes.col(k);
+        term.missing_shapes.emplace_back(shape.begin(), shape.end());
+    }
 }
 
 }  // namespace
@@ -143,33 +221,41 @@ std::vector<Candidate> with_missing(const Problem& p, const Whitener& w, const C
     terms.clear();
     add_forces(p, start, terms);
     add_restitutions(p, start, terms);
+    add_drifts(p, terms);
     const Footing on{p, w, start.h, start.fit};
     const Projection project(start.h.unknowns, start.fit);
     const VectorXd left = project(start.fit.white);
     const double force = unit_of_force(p);
+    // Where a curve jumps the first order says little: larger sizes are tried, too.
+    const std::vector<double> factors =
+        has_force_curve(p) ? std::vector{1.0, 10.0, 100.0} : std::vector{1.0};
     std::vector<Candidate> all;
     for (Term& term : terms) {
-        const double unit = term.of_restitution ? 1.0 : force;
-        const auto set_size = [&](double size) {
-            for (Unknown& u : term.unknowns)
-                u.deviation = size * unit, u.low = -100.0 * u.deviation,
-                u.high = 100.0 * u.deviation;
-            return plus(p, start.h, term);
-        };
-        Hypothesised h = set_size(1.0);
-        const auto knots = static_cast<Index>(term.unknowns.size());
+        const double unit = term.missing == Missing::force   ? force
+                            : term.missing == Missing::drift ? unit_of_drift(p, term.channel)
+                                                             : 1.0;
+        const auto knots = static_cast<Index>(term.missing_knots.size());
+        set_shapes(term, MatrixXd::Identity(knots, knots), unit);
+        const Hypothesised each = plus(p, start.h, term);
         MatrixXd slopes(static_cast<Index>(p.size), knots);
         for (Index k = 0; k < knots; ++k) {
             VectorXd own = VectorXd::Zero(knots);
             own[k] = 1e-3 * unit;
-            const VectorXd up = predicted(p, h, carried(on, h, own));
-            const VectorXd down = predicted(p, h, carried(on, h, -own));
+            const VectorXd up = predicted(p, each, carried(on, each, own));
+            const VectorXd down = predicted(p, each, carried(on, each, -own));
             slopes.col(k) = project(w((up - down) / 2e-3));
         }
-        h = set_size(likeliest_size(slopes, left));
-        Candidate c{.h = h, .fit = fit(p, w, h, carried(on, h, VectorXd::Zero(knots)), false, 10)};
-        // The size was chosen among some 20, the variable among those there are, and neighbours of the best do well, too.
-        c.log_evidence = c.fit.log_evidence - 4.0;
+        const Guess guess = likeliest(slopes, left);
+        const VectorXd none = VectorXd::Zero(guess.axes.cols());
+        Candidate c;
+        for (const double factor : factors) {
+            set_shapes(term, guess.axes, factor * guess.size * unit);
+            const Hypothesised h = plus(p, start.h, term);
+            Fit f = fit(p, w, h, carried(on, h, none), false, 10);
+            const double evidence = f.log_evidence - looked_elsewhere;
+            if (factor == 1.0 || evidence > c.log_evidence)
+                c = {.h = h, .fit = std::move(f), .log_evidence = evidence};
+        }
         all.push_back(std::move(c));
     }
     std::stable_sort(all.begin(), all.end(),

@@ -5,6 +5,7 @@
 #include "cases/rig_table.hpp"
 #include "diagnose/own_run.hpp"
 #include "diagnose/piles.hpp"
+#include "rigs/effects.hpp"
 #include "scaling/errors.hpp"
 
 #include <algorithm>
@@ -216,6 +217,17 @@ Problem problem_of(const cases::Case& c, bool held_out, const Piles* piles) {
     return p;
 }
 
+std::vector<double> missing_at(const Hypothesised& h, const Eigen::VectorXd& theta, const Term& t) {
+    std::vector<double> values(t.missing_knots.size(), 0.0);
+    for (std::size_t k = 0; k < h.unknowns.size(); ++k) {
+        if (h.unknowns[k].target != Target::missing_shape) continue;
+        const std::vector<double>& shape = t.missing_shapes[h.unknowns[k].index];
+        for (std::size_t j = 0; j < values.size(); ++j)
+            values[j] += theta[static_cast<Eigen::Index>(k)] * shape[j];
+    }
+    return values;
+}
+
 rigs::World world_at(const Problem& p, const Hypothesised& h, const Eigen::VectorXd& theta,
                      const Record& record) {
     rigs::World world = p.world;
@@ -227,12 +239,12 @@ rigs::World world_at(const Problem& p, const Hypothesised& h, const Eigen::Vecto
             world.physics.erase("hertz_coulomb"),
                 world.physics.insert({"hertz_mindlin", t->effect});
         else if (!t->missing_variable.empty() && t->missing_rigs.contains(record.experiment->rig)) {
-            const std::vector<double> nothing(t->missing_knots.size(), 0.0);
-            if (t->of_restitution)
-                world.missing_restitution =
-                    rigs::MissingRestitution{t->missing_variable, t->missing_knots, nothing};
-            else
-                world.missing = rigs::MissingForce{t->missing_variable, t->missing_knots, nothing};
+            if (t->missing == Missing::restitution)
+                world.missing_restitution = rigs::MissingRestitution{
+                    t->missing_variable, t->missing_knots, missing_at(h, theta, *t)};
+            if (t->missing == Missing::force)
+                world.missing = rigs::MissingForce{t->missing_variable, t->missing_knots,
+                                                   missing_at(h, theta, *t)};
         } else if (t->missing_variable.empty() && t->channel.empty() && t->effect != "time_base")
             world.physics.insert(t->effect);
     }
@@ -242,10 +254,6 @@ rigs::World world_at(const Problem& p, const Hypothesised& h, const Eigen::Vecto
         if (!u.experiment.empty() && u.experiment != record.experiment->id) continue;
         if (u.target == Target::parameter) world.parameters[u.key] = value;
         if (u.target == Target::stated) world.stated[u.key] = value;
-        if (u.target == Target::missing_force_knot && world.missing)
-            world.missing->newtons[u.index] = value;
-        if (u.target == Target::missing_restitution_knot && world.missing_restitution)
-            world.missing_restitution->shares[u.index] = value;
     }
     return world;
 }
@@ -256,11 +264,16 @@ struct Instrument {
     double time_factor = 1.0;
     std::map<std::string, double> scale, offset;
     double base_line = 0.0, slope = 0.0;
+    const Term* drift = nullptr;
+    std::vector<double> drift_knots{};  // values
 };
 
 Instrument instrument_at(const Hypothesised& h, const Eigen::VectorXd& theta,
                          const Record& record) {
     Instrument i;
+    for (const Term* t : h.terms)
+        if (t->missing == Missing::drift && t->missing_rigs.contains(record.experiment->rig))
+            i.drift = t, i.drift_knots = missing_at(h, theta, *t);
     for (std::size_t k = 0; k < h.unknowns.size(); ++k) {
         const Unknown& u = h.unknowns[k];
         const double value = theta[static_cast<Eigen::Index>(k)];
@@ -312,6 +325,9 @@ Eigen::VectorXd predicted(const Problem& p, const Hypothesised& h, const Eigen::
                 if (!std::isfinite(v)) continue;
                 if (scale != i.scale.end()) v *= scale->second;
                 if (offset != i.offset.end()) v += offset->second;
+                if (i.drift && i.drift->channel == c.name)
+                    v += rigs::straight_between(i.drift->missing_knots, i.drift_knots,
+                                                r.ordinates.at[k]);
                 if (h.terms.empty() && !c.own_run_off.empty()) v += c.own_run_off[k];
                 if (r.ordinate == "displacement")
                     v += i.base_line + i.slope * (r.ordinates.at[k] - middle);

@@ -72,6 +72,9 @@ Problem problem_of(const cases::Case&, bool held_out = false, const Piles* piles
 Eigen::VectorXd predicted(const Problem&, const Hypothesised&, const Eigen::VectorXd& theta,
                           int only = -1, const std::vector<std::size_t>& rows = {});
 
+// What the term is missing, at its knots.
+std::vector<double> missing_at(const Hypothesised&, const Eigen::VectorXd& theta, const Term&);
+
 // The rows of one record in a long vector, 0 elsewhere.
 Eigen::VectorXd rows_of(const Problem&, std::size_t record, const Eigen::VectorXd&);
 

@@ -3,6 +3,8 @@
 // unless a unit stands beside them.
 #pragma once
 
+#include "diagnose/unknowns.hpp"
+
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -54,15 +56,18 @@ struct Gate {
     std::string why;  // one sentence
 };
 
-// What is missing, as a function of one variable of the state: a force in N, or a share of the normal rebound speed.
+// What is missing, as a function of one variable of the state.
 struct MissingEstimate {
     std::string variable, unit;             // of the knots, SI
     std::vector<double> knots;              // rising
     std::vector<double> values, low, high;  // 90 % band
     std::string words;  // "an attraction to the plate that grows as the fourth power near it"
-    bool of_restitution = false;
-    std::string what() const { return of_restitution ? "restitution" : "force"; }
-    std::string unit_of_values() const { return of_restitution ? "1" : "N"; }
+    Missing of = Missing::force;
+    std::string unit_of_values = "N";  // SI
+    std::string channel{};             // that drifts
+    std::string what() const {
+        return of == Missing::force ? "force" : of == Missing::drift ? "drift" : "restitution";
+    }
 };
 
 struct Effect {

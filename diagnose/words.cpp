@@ -97,7 +97,12 @@ std::string described(const MissingEstimate& m) {
         if (std::abs(m.values[k]) > std::abs(m.values[strongest])) strongest = k;
     const bool sure = m.low[strongest] * m.high[strongest] > 0.0;
     const double f = m.values[strongest];
-    if (m.of_restitution)
+    if (m.of == Missing::drift)
+        return fmt::format("a reading of {} that is {} too {} after {}{}", m.channel,
+                           cases::format_si(std::abs(f), m.unit_of_values),
+                           f < 0.0 ? "low" : "high", cases::format_si(m.knots[strongest], m.unit),
+                           sure ? "" : " (not sure to 90 %)");
+    if (m.of == Missing::restitution)
         return fmt::format("a rebound {} by {:.2g} % at an {} of {}{}",
                            f < 0.0 ? "slower" : "faster", 100.0 * std::abs(f),
                            plain_name(m.variable), cases::format_si(m.knots[strongest], m.unit),

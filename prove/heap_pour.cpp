@@ -20,15 +20,18 @@ struct Fed {
     double x, y, z, radius, due;  // z of the centre where it appears at rest, due in s
 };
 
+// Log-normal by number (docs/effects.md): `size_spread` is the standard deviation over the mean.
 double diameter_of(const Pour& p, Dice& dice) {
-    constexpr double most = 2.5;  // deviations: no grain is a speck or a boulder
+    constexpr double most = 2.5;  // deviations of the logarithm
     double z = dice.normal();
     while (std::abs(z) > most) z = dice.normal();
-    return p.grain.diameter * std::max(0.2, 1.0 + p.acts.size_spread * z);
+    const double variance = std::log1p(p.acts.size_spread * p.acts.size_spread);
+    return p.grain.diameter * std::exp(std::sqrt(variance) * z - 0.5 * variance);
 }
 
 // Grains that are in the air together fall alike, and whoever came later is the slower: each appears at the drop height where nobody is
-// who still falls, so that no two meet before one has met the heap. Streams are thin enough for that (heap_family.cpp).
+// who still falls, so that no two meet before one has met the heap. Streams are thin enough for that (heap_family.cpp); a large grain
+// of a powder of many sizes may have to wait.
 std::vector<Fed> feed_of(const Pour& p) {
     Dice dice(p.seed, 0, 11);
     std::vector<Fed> all;
@@ -43,17 +46,21 @@ std::vector<Fed> feed_of(const Pour& p) {
         }
         return true;
     };
+    double latest = 0.0;
     for (int k = 0; k < p.rig.grains; ++k) {
         const double radius = 0.5 * diameter_of(p, dice);
-        Fed g{0.0, 0.0, p.rig.drop_height + radius, radius, k / p.rig.feed_rate};
-        constexpr int draws = 10'000;
+        Fed g{0.0, 0.0, p.rig.drop_height + radius, radius, std::max(latest, k / p.rig.feed_rate)};
+        constexpr int draws = 10'000;  // then it waits for a tenth of the time between two grains
         int draw = 0;
         do {
+            if (++draw % draws == 0) g.due += 0.1 / p.rig.feed_rate;
+            if (draw == 100 * draws)
+                throw std::runtime_error("a stream of grains is too dense to be fed");
             const double r = (0.5 * p.rig.feed_diameter - radius) * std::sqrt(dice.uniform());
             const double azimuth = dice.uniform(0.0, 2.0 * pi);
             g.x = r * std::cos(azimuth), g.y = r * std::sin(azimuth);
-        } while (!clear(g) && ++draw < draws);
-        if (draw == draws) throw std::runtime_error("a stream of grains is too dense to be fed");
+        } while (!clear(g));
+        latest = g.due;
         all.push_back(g);
     }
     return all;

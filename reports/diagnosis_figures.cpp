@@ -212,7 +212,7 @@ std::vector<CurveFigures> curve_figures(const diagnose::Verdict& v) {
 }
 
 Figure missing_figure(const diagnose::MissingEstimate& m, const std::string& id) {
-    const Ruler x = ruler(m.knots, m.unit), y = ruler(m.values, m.unit_of_values());
+    const Ruler x = ruler(m.knots, m.unit), y = ruler(m.values, m.unit_of_values);
     std::vector<std::size_t> rows(m.knots.size());
     std::iota(rows.begin(), rows.end(), std::size_t{0});
     Plot plot;

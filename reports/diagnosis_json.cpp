@@ -102,10 +102,12 @@ Json missing_json(const diagnose::MissingEstimate& m) {
     Json bands = Json::array();
     for (std::size_t k = 0; k < std::min(m.low.size(), m.high.size()); ++k)
         bands.push_back(finite_list({m.low[k], m.high[k]}));
-    return {{"variable", m.variable},   {"at", finite_list(m.knots)},
-            {"at_unit", m.unit},        {"value", finite_list(m.values)},
-            {"ci90", std::move(bands)}, {"unit", m.unit_of_values()},
-            {"words", m.words}};
+    Json json = {{"variable", m.variable},   {"at", finite_list(m.knots)},
+                 {"at_unit", m.unit},        {"value", finite_list(m.values)},
+                 {"ci90", std::move(bands)}, {"unit", m.unit_of_values},
+                 {"words", m.words}};
+    if (!m.channel.empty()) json["channel"] = m.channel;
+    return json;
 }
 
 Json effect_json(const diagnose::Effect& e) {
