@@ -176,6 +176,12 @@ class Work {
                 fmt::format("LAMMPS did not pour the heap of {}: its words are in {}",
                             folder.string(), (folder / "log.lammps").string()));
         const std::vector<prove::Ball> heap = prove::read_heap(dump);
+        for (const prove::Ball& ball : heap)
+            if (ball.z + 2.0 * ball.radius > task.pour.rig.drop_height)
+                throw std::runtime_error(
+                    fmt::format("the heap of {} has grown up to its feed, where grains would "
+                                "appear within others: it is no truth",
+                                folder.string()));
         std::string text = fmt::format("# {} grains\n", heap.size());
         for (const prove::Spot& spot : *task.spots)
             text += fmt::format("{:.9g}\n", prove::height_above(heap, spot));

@@ -52,16 +52,18 @@ HeapFamily heap_family(std::uint64_t seed, int family, double size) {
     fine.restitution = rounded(dice.uniform(0.3, 0.6), 2);
     const double across = dice.uniform(16.0, 19.0) * std::sqrt(size);
     const double base = rounded(across * fine.diameter, 2);
-    const double drop = dice.uniform(9.0, 12.0), feed = dice.uniform(5.0, 6.0);
+    // Grains that stick build towers of ten grains and more: the feed stands clear of them.
+    constexpr double lowest_drop = 15.0, highest_drop = 18.0;
+    const double drop = dice.uniform(lowest_drop, highest_drop), feed = dice.uniform(5.0, 6.0);
     const auto grains = [&](double share) {
         return static_cast<int>(std::lround(1000.0 * size * share));
     };
-    HeapFamily f{
-        family,
-        {arrangement("fine", fine, 1.0, base, drop, feed, grains(1.0)),
-         arrangement("coarse", fine, 1.6, base, drop, std::min(feed, 0.5 * across / 1.6),
-                     grains(0.35)),
-         arrangement("other", fine, 1.25, base, dice.uniform(9.0, 12.0), feed, grains(0.6))}};
+    HeapFamily f{family,
+                 {arrangement("fine", fine, 1.0, base, drop, feed, grains(1.0)),
+                  arrangement("coarse", fine, 1.6, base, drop, std::min(feed, 0.5 * across / 1.6),
+                              grains(0.35)),
+                  arrangement("other", fine, 1.25, base, dice.uniform(lowest_drop, highest_drop),
+                              feed, grains(0.6))}};
     if (family % 2 == 1) f.size_spread = 0.1;
     return f;
 }
@@ -72,7 +74,7 @@ std::vector<HeapEffect> heap_effects(const HeapFamily& f) {
     const double weight = g.density * pi / 6.0 * std::pow(g.diameter, 3) * gravity;
     const double one = weight / (1.5 * pi * 0.25 * g.diameter);  // w whose pull-off is one weight
     std::vector<HeapEffect> list{
-        {"adhesion", "work_of_adhesion", "J/m^2", 2.0 * one, 30.0 * one},
+        {"adhesion", "work_of_adhesion", "J/m^2", 2.0 * one, 12.0 * one},
         {"rolling_resistance", "rolling_friction", "1", 0.03, 0.4},
         {"polydispersity", "size_spread", "1", 0.1, 0.35},
         {"tilt", "tilt_angle", "rad", pi / 180.0 * 1.5, pi / 180.0 * 8.0},
