@@ -149,20 +149,24 @@ RunPlace place_of(const SimulateOptions& o) {
             wall,  o.sleep, engine_choice(o.engine, o.ranks, o.contact)};
 }
 
-void refuse_dump_without_grains(const std::vector<const Experiment*>& experiments,
-                                const RunPlace& p) {
-    if (p.dump.formats.empty()) return;
-    for (const Experiment* e : experiments)
-        if (has_frames(*e)) return;
-    throw InvalidInput(mistake("--dump", "no pile, silo, column or drum among the experiments",
-                               "must be of one", "the path of a drop stands in its ID.csv"));
+void refuse_idle_options(const std::vector<const Experiment*>& experiments, const RunPlace& p) {
+    const auto any = [&](const auto& uses) {
+        return std::any_of(experiments.begin(), experiments.end(),
+                           [&](const Experiment* e) { return uses(*e); });
+    };
+    if (!p.dump.formats.empty() && !any(has_frames))
+        throw InvalidInput(mistake("--dump", "no pile, silo, column or drum among the experiments",
+                                   "must be of one", "the path of a drop stands in its ID.csv"));
+    if (p.sleep && !any([](const Experiment& e) { return e.rig == "pile"; }))
+        throw InvalidInput(mistake("--sleep", "no pile among the experiments", "must be of one",
+                                   "leave it out: all grains of the other rigs stay awake"));
 }
 
 int run(const SimulateOptions& o, const std::string& command) {
     const Case c = cases::read_case(o.path);
     const RunPlace place = place_of(o);
     const std::vector<const Experiment*> experiments = chosen(c, o.experiment);
-    refuse_dump_without_grains(experiments, place);
+    refuse_idle_options(experiments, place);
     std::vector<std::function<ExperimentRun()>> todo;
     for (const Experiment* e : experiments) todo.push_back(prepared(c, *e, o.common, place));
     std::filesystem::create_directories(o.out);

@@ -73,3 +73,14 @@ TEST_CASE("simulate: a silo in another engine is refused", "[app][simulate][inpu
     CHECK(o.err.find("--engine: got rig \"discharge\", must go with another rig") !=
           std::string::npos);
 }
+
+TEST_CASE("simulate: --sleep is of piles, and says so where there is none",
+          "[app][simulate][input]") {
+    const Folder f;
+    const std::string path = f.write("case.json", soft_beads);
+    const Outcome o = similitude({"simulate", path, "--out", f / "out", "--sleep"});
+    CHECK(o.code == 2);
+    CHECK(o.err.find("--sleep") != std::string::npos);
+    CHECK(o.err.find("no pile") != std::string::npos);
+    CHECK_FALSE(std::filesystem::exists(f / "out"));
+}
