@@ -2,10 +2,10 @@
 // What no catalogue has, by closed forms: a restitution that falls with the angle of the way in, where rigid friction slides
 // throughout or leaves rolling (Walton 1993), and a camera that settles while spheres roll down a plane.
 #include "diagnose/diagnose.hpp"
+#include "rolled.hpp"
 #include "verdicts.hpp"
 
 #include <catch2/catch.hpp>
-#include <fmt/format.h>
 
 #include <cmath>
 #include <numbers>
@@ -80,41 +80,14 @@ TEST_CASE("missing: where the restitution is one number nothing is missing", "[d
 
 namespace {
 
-constexpr double slow = 0.05, settled = 5e-3, reading_noise = 3e-4;  // s, m, m
+constexpr double slow = 0.05, settled = 5e-3;  // s, m
 
 // Of s, as recorded: what a camera that settles adds.
 double settling(double t) { return settled * std::log1p(t / slow) / std::log1p(1.0 / slow); }
 
-// Spheres that roll without slip, s = 5/14 g sin(angle) t^2, on three slopes.
 diagnose::Verdict rolling_verdict(double share) {
-    std::map<std::string, std::string> files;
-    std::mt19937_64 random(5);
-    std::normal_distribution<double> normal(0.0, reading_noise);
-    std::string experiments;
-    for (const int slope : {8, 14, 20}) {
-        std::ostringstream table;
-        table << "t [s],s [m]\n";
-        for (int row = 1; row <= 60; ++row) {
-            const double t = row / 60.0;
-            const double a = 9.81 * std::sin(slope * std::numbers::pi / 180.0) * 5.0 / 14.0;
-            table << t << ',' << a * t * t + share * settling(t) + normal(random) << '\n';
-        }
-        const std::string id = fmt::format("slope-{}", slope);
-        files[id + ".csv"] = table.str();
-        if (!experiments.empty()) experiments += ',';
-        experiments += fmt::format(R"({{"id": "{0}", "rig": "incline", "conditions":
-  {{"angle": "{1} deg"}}, "recording": "{0}.csv", "noise": {{"s": "0.3 mm"}}, "role": "fit"}})",
-                                   id, slope);
-    }
-    files["case.json"] = R"({"format": "similitude-case/1", "title": "rolled",
-  "grain": {"diameter": "4 mm", "density": "2500 kg/m^3", "youngs_modulus": "60 GPa", "poisson_ratio": 0.22},
-  "plate": {"youngs_modulus": "60 GPa", "poisson_ratio": 0.22},
-  "surroundings": {"gravity": "9.81 m/s^2"},
-  "model": {"physics": ["gravity", "hertz_mindlin"],
-            "parameters": {"sliding_friction": {"value": 0.4, "range": [0.3, 0.6]}}},
-  "experiments": [)" + experiments +
-                         "]}\n";
-    return diagnose::diagnose(case_of(files), {.seed = 1, .threads = 2}, [](cases::Case&) {});
+    const cases::Case c = rolled(0.0, [&](double t) { return share * settling(t); });
+    return diagnose::diagnose(c, {.seed = 1, .threads = 2}, [](cases::Case&) {});
 }
 
 }  // namespace
