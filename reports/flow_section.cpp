@@ -17,7 +17,7 @@ Verdict verdict_of(const std::string& ending) {
         return {Answer::cannot_tell, "Still moving when the run was given up",
                 "the grains did not come to rest"};
     if (ending == "jammed")
-        return {Answer::yes, "The outlet jammed",
+        return {Answer::no, "The outlet jammed",
                 "nothing more came out, and grains still stand above the outlet"};
     if (ending == "drained")
         return {Answer::yes, "The silo drained",

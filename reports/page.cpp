@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
 #include <utility>
 
 namespace reports {
@@ -211,6 +212,30 @@ Page page_of(const cases::Case& c, const scaling::ScaleStudy& study, const Prove
             .provenance = who};
 }
 
+namespace {
+
+// Of one run its own; of several what each came to.
+Verdict verdict_of(const std::vector<RunSection>& runs) {
+    if (runs.size() == 1) return runs.front().verdict;
+    Verdict all{Answer::yes, "", ""};
+    std::size_t well = 0;
+    for (const RunSection& run : runs) {
+        if (run.verdict.answer == Answer::yes)
+            ++well;
+        else if (all.answer != Answer::cannot_tell)
+            all.answer = run.verdict.answer;
+        std::string words = run.verdict.headline;
+        words.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(words.front())));
+        all.why += (all.why.empty() ? "" : "; ") + run.name + ": " + words;
+    }
+    all.headline = well == runs.size()
+                       ? fmt::format("{} experiments were run", well)
+                       : fmt::format("{} of {} experiments ran as meant", well, runs.size());
+    return all;
+}
+
+}  // namespace
+
 Page page_of(const cases::Case& c, const std::vector<RunSection>& runs, const Provenance& who) {
     Page page{.title = c.title,
               .source = c.source,
@@ -218,12 +243,10 @@ Page page_of(const cases::Case& c, const std::vector<RunSection>& runs, const Pr
                           "run the command again with --resume"},
               .runs = runs,
               .provenance = who};
-    if (!runs.empty()) page.verdict = runs.front().verdict;
-    if (runs.size() > 1) page.verdict.headline = runs.front().name + ": " + page.verdict.headline;
+    if (!runs.empty()) page.verdict = verdict_of(runs);
     page.limits = {
-        "One heap is one draw from chance: its angle scatters from seed to seed by a degree or "
-        "more. Run several seeds before two "
-        "angles are compared.",
+        "One run of many grains is one draw from chance: the angle of a heap scatters from seed "
+        "to seed by a degree or more. Run several seeds before two runs are compared.",
         "The spread over sectors is that within one heap; it is no uncertainty of the angle of "
         "repose."};
     return page;

@@ -15,7 +15,7 @@ namespace reports {
 
 namespace {
 
-constexpr double page_width = 720.0, left = 64.0, right = 18.0, bottom = 52.0;  // user units
+constexpr double page_width = 720.0, left = 80.0, right = 18.0, bottom = 52.0;  // user units
 constexpr double tallest = 430.0, character = 7.2, legend_line = 22.0;
 
 struct Style {

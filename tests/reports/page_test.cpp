@@ -109,3 +109,20 @@ TEST_CASE("page: what a result has not is left out, heading and all", "[reports]
         CHECK(times_in(text, part) == 0);
     CHECK(times_in(text, "id=\"repeat\"") == 1);
 }
+
+TEST_CASE("page: several experiments are told one by one, and a jam among them is no success",
+          "[reports][page]") {
+    const auto section = [](const char* name, Answer answer, const char* headline) {
+        return RunSection{name, {answer, headline, "so it was"}, {}, {}, {}, {}};
+    };
+    const RunSection drained = section("wide", Answer::yes, "The silo drained"),
+                     jammed = section("narrow", Answer::no, "The outlet jammed");
+    cases::Case c;
+    c.title = "silos";
+    const Page both = page_of(c, {drained, jammed}, {});
+    CHECK(both.verdict.answer == Answer::no);
+    CHECK(both.verdict.headline == "1 of 2 experiments ran as meant");
+    CHECK(both.verdict.why == "wide: the silo drained; narrow: the outlet jammed");
+    CHECK(page_of(c, {drained, drained}, {}).verdict.answer == Answer::yes);
+    CHECK(page_of(c, {drained}, {}).verdict.headline == "The silo drained");
+}

@@ -89,9 +89,9 @@ TEST_CASE("svg: a marked interval ends at the frame, and one outside of it is no
     const std::string text = svg(plot, "span");
     CHECK(fault_in_markup(text) == "");
     CHECK(times_in(text, "where</text>") == 1);
-    // The frame is 720 - 64 - 18 = 638 wide and begins at 64: from its middle, 383, to its end.
-    CHECK(times_in(text, "<rect class=\"b3\" x=\"383.0\"") == 1);
-    CHECK(times_in(text, "width=\"319.0\"") == 1);
+    // The frame is 720 - 80 - 18 = 622 wide and begins at 80: from its middle, 391, to its end.
+    CHECK(times_in(text, "<rect class=\"b3\" x=\"391.0\"") == 1);
+    CHECK(times_in(text, "width=\"311.0\"") == 1);
     plot.spans = {{3.0, 9.0, 3, ""}};
     CHECK(times_in(svg(plot, "span"), "class=\"b3\"") == 0);
 }
