@@ -57,6 +57,11 @@ double exponent(const MissingEstimate& m) {
     return n >= 3.0 && spread > 1e-9 ? (sxy - sx * sy / n) / spread : std::nan("");
 }
 
+// To three digits: more are not known.
+std::string told(double value, const std::string& unit) {
+    return cases::format_si(std::stod(fmt::format("{:.3g}", value)), unit);
+}
+
 std::string joined(const std::vector<std::string>& effects) {
     std::string text;
     for (const std::string& e : effects) text += (text.empty() ? "" : " and ") + plain_name(e);
@@ -99,22 +104,21 @@ std::string described(const MissingEstimate& m) {
     const double f = m.values[strongest];
     if (m.of == Missing::drift)
         return fmt::format("a reading of {} that is {} too {} after {}{}", m.channel,
-                           cases::format_si(std::abs(f), m.unit_of_values),
-                           f < 0.0 ? "low" : "high", cases::format_si(m.knots[strongest], m.unit),
-                           sure ? "" : " (not sure to 90 %)");
+                           told(std::abs(f), m.unit_of_values), f < 0.0 ? "low" : "high",
+                           told(m.knots[strongest], m.unit), sure ? "" : " (not sure to 90 %)");
     if (m.of == Missing::restitution)
         return fmt::format("a rebound {} by {:.2g} % at an {} of {}{}",
                            f < 0.0 ? "slower" : "faster", 100.0 * std::abs(f),
-                           plain_name(m.variable), cases::format_si(m.knots[strongest], m.unit),
+                           plain_name(m.variable), told(m.knots[strongest], m.unit),
                            sure ? "" : " (not sure to 90 %)");
     const std::string sort =
         m.variable == "z" || m.variable == "separation"
             ? (f < 0.0 ? "an attraction to the plate" : "a repulsion from the plate")
             : (f < 0.0 ? "a force against the positive direction"
                        : "a force along the positive direction");
-    std::string text = fmt::format(
-        "{} of {} at {} = {}{}", sort, cases::format_si(std::abs(f), "N"), m.variable,
-        cases::format_si(m.knots[strongest], m.unit), sure ? "" : " (not sure to 90 %)");
+    std::string text =
+        fmt::format("{} of {} at {} = {}{}", sort, told(std::abs(f), "N"), m.variable,
+                    told(m.knots[strongest], m.unit), sure ? "" : " (not sure to 90 %)");
     const double power = exponent(m);
     const double flat = *std::min_element(m.values.begin(), m.values.end()) *
                         *std::max_element(m.values.begin(), m.values.end());
