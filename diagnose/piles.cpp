@@ -243,8 +243,13 @@ Record Piles::record(const cases::Experiment& e) const {
         for (const cases::Experiment& other : in->given.experiments)
             if (!other.held_out && is_profile(other) && in->family_of(other) == v.family)
                 recordings += 1.0;
-        about = v.emulator->covariance(recorded) *
-                (1.0 + (std::max(1.0, recordings) - 1.0) * v.emulator->share_of_error(recorded));
+        // No heap lies below its base: a scanner that reads too low does not make one that is like none.
+        VectorXd like = recorded;
+        double lowest = 0.0;
+        for (const double z : like.head(n)) lowest = std::min(lowest, z);
+        like.head(n).array() -= lowest;
+        about = v.emulator->covariance(like) *
+                (1.0 + (std::max(1.0, recordings) - 1.0) * v.emulator->share_of_error(like));
     } else {
         const rigs::World stated = rigs::world_of(in->given, e);
         MatrixXd y = in->fresh(v, stated, heaps_of_other);
