@@ -173,20 +173,6 @@ bool moves_sideways(const Problem& p) {
     });
 }
 
-double channel_range(const Problem& p, const std::string& name) {
-    double widest = 0.0;
-    for (const Record& r : p.records) {
-        double low = 1e300, high = -1e300;
-        for (const Channel& c : r.channels) {
-            if (c.name != name) continue;
-            for (const double v : c.recorded)
-                if (std::isfinite(v)) low = std::min(low, v), high = std::max(high, v);
-        }
-        widest = std::max(widest, high - low);
-    }
-    return widest;
-}
-
 // Of an instrument that somebody has calibrated. Rulers in a picture and clocks are good to some per cent; the stiffness of a
 // cantilever is often not known to 20 %.
 Unknown instrument_factor(const std::string& name, double deviation) {
@@ -241,6 +227,20 @@ bool is_numerical(const cases::Numerics& n) {
 }
 
 }  // namespace
+
+double channel_range(const Problem& p, const std::string& name) {
+    double widest = 0.0;
+    for (const Record& r : p.records) {
+        double low = 1e300, high = -1e300;
+        for (const Channel& c : r.channels) {
+            if (c.name != name) continue;
+            for (const double v : c.recorded)
+                if (std::isfinite(v)) low = std::min(low, v), high = std::max(high, v);
+        }
+        widest = std::max(widest, high - low);
+    }
+    return widest;
+}
 
 std::vector<Term> catalogue(const Problem& p) {
     const Sizes s = sizes_of(p);

@@ -17,6 +17,9 @@ std::vector<Term> catalogue(const Problem&);
 // No physics: scale, offset, time base, numerical artefact.
 bool is_measurement(const std::string& effect);
 
+// Widest range of the channel in any one recording, SI; 0 where none varies.
+double channel_range(const Problem&, const std::string& channel);
+
 // The drag coefficient that stands for `drag_factor`: at the fastest speed that the fit recordings reach.
 double drag_coefficient(const Problem&, const Hypothesised&, const Eigen::VectorXd& theta,
                         double factor);

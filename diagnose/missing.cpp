@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "diagnose/missing.hpp"
 
+#include "diagnose/catalogue.hpp"
 #include "diagnose/locate.hpp"
 #include "diagnose/minima.hpp"
 #include "diagnose/starts.hpp"
@@ -114,24 +115,11 @@ void add_drifts(const Problem& p, std::vector<Term>& terms) {
         }
     }
     for (const auto& [where, end] : last) {
-        if (!(end > 0.0)) continue;
+        if (!(end > 0.0 && channel_range(p, where.second) > 0.0)) continue;
         std::vector<double> knots = evenly(0.0, 1.0, drift_knots);
         for (double& k : knots) k *= k * end;
         terms.push_back(term_of(Missing::drift, "t", knots, {where.first}, where.second));
     }
-}
-
-// Of the largest range of a channel that was recorded, a hundredth.
-double unit_of_drift(const Problem& p, const std::string& channel) {
-    double unit = 0.0;
-    for (const Record& r : p.records)
-        for (const Channel& c : r.channels) {
-            if (c.name != channel) continue;
-            Range range;
-            for (const double v : c.recorded) range.take(v);
-            unit = std::max(unit, 0.01 * (range.high - range.low));
-        }
-    return unit;
 }
 
 // N that forces are measured by: a grain's weight, or a twentieth of the largest force recorded.
@@ -232,7 +220,7 @@ std::vector<Candidate> with_missing(const Problem& p, const Whitener& w, const C
     std::vector<Candidate> all;
     for (Term& term : terms) {
         const double unit = term.missing == Missing::force   ? force
-                            : term.missing == Missing::drift ? unit_of_drift(p, term.channel)
+                            : term.missing == Missing::drift ? 0.01 * channel_range(p, term.channel)
                                                              : 1.0;
         const auto knots = static_cast<Index>(term.missing_knots.size());
         set_shapes(term, MatrixXd::Identity(knots, knots), unit);
