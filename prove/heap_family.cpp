@@ -13,8 +13,7 @@ namespace {
 constexpr double gravity = 9.81, pi = std::numbers::pi;
 constexpr double softness = 3e4;  // E/(rho g d) of the finest grain: what the powder is
 
-// Grains a second such that a stream from the drop height is 2 % solid where it lands: thin enough for every grain to find room at its
-// source. In denser ones heaps depend on where those are put that find none.
+// Grains a second such that a stream from the drop height is 2 % solid where it lands: most find room at its source.
 double feed_rate(double d, double drop_height, double feed_diameter) {
     const double speed = std::sqrt(2.0 * gravity * drop_height);
     return 0.02 * pi / 4.0 * feed_diameter * feed_diameter * speed / (pi / 6.0 * d * d * d);

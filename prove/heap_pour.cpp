@@ -17,7 +17,7 @@ namespace {
 constexpr double gravity = 9.81, pi = std::numbers::pi;
 
 struct Fed {
-    double x, y, z, radius, due;  // z of the centre where it appears at rest, due in s
+    double x, y, radius, due;  // in the room; due in s
 };
 
 // Log-normal by number (docs/effects.md): `size_spread` is the standard deviation over the mean.
@@ -29,39 +29,15 @@ double diameter_of(const Pour& p, Dice& dice) {
     return p.grain.diameter * std::exp(std::sqrt(variance) * z - 0.5 * variance);
 }
 
-// Grains that are in the air together fall alike, and whoever came later is the slower: each appears at the drop height where nobody is
-// who still falls, so that no two meet before one has met the heap. Streams are thin enough for that (heap_family.cpp); a large grain
-// of a powder of many sizes may have to wait.
+// Evenly over the disc of the feed, each wholly inside it.
 std::vector<Fed> feed_of(const Pour& p) {
     Dice dice(p.seed, 0, 11);
     std::vector<Fed> all;
-    const auto clear = [&](const Fed& g) {
-        constexpr double margin = 1.01;
-        for (auto other = all.rbegin(); other != all.rend(); ++other) {
-            const double since = g.due - other->due;
-            const double below = g.z - (other->z - 0.5 * gravity * since * since);
-            const double reach = margin * (g.radius + other->radius);
-            if (std::hypot(g.x - other->x, g.y - other->y, below) < reach) return false;
-            if (below > 4.0 * reach) return true;  // nobody else is as high
-        }
-        return true;
-    };
-    double latest = 0.0;
     for (int k = 0; k < p.rig.grains; ++k) {
         const double radius = 0.5 * diameter_of(p, dice);
-        Fed g{0.0, 0.0, p.rig.drop_height + radius, radius, std::max(latest, k / p.rig.feed_rate)};
-        constexpr int draws = 10'000;  // then it waits for a tenth of the time between two grains
-        int draw = 0;
-        do {
-            if (++draw % draws == 0) g.due += 0.1 / p.rig.feed_rate;
-            if (draw == 100 * draws)
-                throw std::runtime_error("a stream of grains is too dense to be fed");
-            const double r = (0.5 * p.rig.feed_diameter - radius) * std::sqrt(dice.uniform());
-            const double azimuth = dice.uniform(0.0, 2.0 * pi);
-            g.x = r * std::cos(azimuth), g.y = r * std::sin(azimuth);
-        } while (!clear(g));
-        latest = g.due;
-        all.push_back(g);
+        const double r = (0.5 * p.rig.feed_diameter - radius) * std::sqrt(dice.uniform());
+        const double azimuth = dice.uniform(0.0, 2.0 * pi);
+        all.push_back({r * std::cos(azimuth), r * std::sin(azimuth), radius, k / p.rig.feed_rate});
     }
     return all;
 }
@@ -69,16 +45,6 @@ std::vector<Fed> feed_of(const Pour& p) {
 struct Place {
     double x, y, z;
 };
-
-// The feed stands upright over the middle of the base, z along gravity; the deck's frame is that of the base, which leans down towards
-// the azimuth.
-Place in_base_frame(const Fed& g, double z, const HeapPhysics& a) {
-    const double c = std::cos(a.tilt_angle), s = std::sin(a.tilt_angle);
-    const double ex = std::cos(a.tilt_azimuth), ey = std::sin(a.tilt_azimuth);
-    const double along = g.x * ex + g.y * ey, across = -g.x * ey + g.y * ex;
-    const double u = along * c - z * s, w = along * s + z * c;
-    return {u * ex - across * ey, u * ey + across * ex, w};
-}
 
 std::vector<Place> base_grains(const Pour& p) {
     const double d = p.grain.diameter, most = 0.5 * p.rig.base_diameter * (1.0 + 1e-12);
@@ -91,6 +57,9 @@ std::vector<Place> base_grains(const Pour& p) {
         }
     return all;
 }
+
+// Where a grain may appear at the most, in the room.
+double highest(const Pour& p) { return p.rig.drop_height + 20.0 * p.grain.diameter; }
 
 double mass(const Pour& p) { return p.grain.density * pi / 6.0 * std::pow(p.grain.diameter, 3); }
 
@@ -166,8 +135,11 @@ fix motion loose nve/sphere
 fix hold glued freeze
 compute way loose ke
 compute turn loose erotate/sphere
+compute size loose property/atom radius
+variable top atom 0
+compute top loose reduce max v_top
 thermo 1000000
-thermo_style custom step atoms c_way c_turn
+thermo_style custom step atoms c_way c_turn c_top
 thermo_modify lost ignore
 # {n} glued grains, {m} to come.
 run 0 post no
@@ -177,6 +149,33 @@ run 0 post no
         fmt::arg("gx", s * std::cos(p.acts.tilt_azimuth)),
         fmt::arg("gy", s * std::sin(p.acts.tilt_azimuth)), fmt::arg("gz", -c), fmt::arg("n", glued),
         fmt::arg("m", p.rig.grains));
+}
+
+// How grain `id`, due over (`along`, `across`) with `radius`, finds its height in the room: from the drop height up, the lowest at which it
+// is clear of every grain that is there by a thousandth of their reach (docs/pile.md). The feed stands upright over the middle of the
+// base, along the lean and across it; the deck's frame is that of the base, which leans down towards the azimuth.
+std::string lift(const Pour& p) {
+    const double c = std::cos(p.acts.tilt_angle), s = std::sin(p.acts.tilt_angle);
+    const double ex = std::cos(p.acts.tilt_azimuth), ey = std::sin(p.acts.tilt_azimuth);
+    return fmt::format(R"deck(variable high equal {drop:.12g}+${{radius}}
+variable high equal $(v_high:%.12g)
+variable down atom x*({ex:.12g})+y*({ey:.12g})
+variable height atom z*({c:.12g})-v_down*({s:.12g})
+variable level atom (1.001*(c_size+${{radius}}))^2-(v_down*({c:.12g})+z*({s:.12g})-(${{along}}))^2-(y*({ex:.12g})-x*({ey:.12g})-(${{across}}))^2
+run ${{due}} upto pre no post no
+label look
+variable top atom (v_level>0)*((${{high}}-v_height)^2<v_level)*(v_height+1.001*sqrt(abs(v_level)))
+run 0 pre no post no
+variable blocked equal $(c_top:%.12g)
+if "${{blocked}} > 0" then "variable high equal ${{blocked}}" "jump SELF look"
+if "${{high}} > {most:.12g}" then "print 'a stream of grains is too dense to be fed'" "quit 1"
+variable lean equal ${{along}}*({c:.12g})-${{high}}*({s:.12g})
+set atom ${{id}} x $(v_lean*({ex:.12g})-v_across*({ey:.12g}):%.12g) y $(v_lean*({ey:.12g})+v_across*({ex:.12g}):%.12g) z $(v_along*({s:.12g})+v_high*({c:.12g}):%.12g)
+group loose id ${{id}}
+print "appears ${{high}}"
+)deck",
+                       fmt::arg("drop", p.rig.drop_height), fmt::arg("most", highest(p)),
+                       fmt::arg("c", c), fmt::arg("s", s), fmt::arg("ex", ex), fmt::arg("ey", ey));
 }
 
 // At rest: below 1e-6 m g d a grain for sqrt(1000 d/g), looked at every 1000 steps; given up after ten times as long: what still moves then
@@ -223,31 +222,34 @@ std::map<std::string, std::string> lammps_files(const Pour& p) {
     const std::vector<Fed> feed = feed_of(p);
     const std::vector<Place> glued = base_grains(p);
     const double d = p.grain.diameter, step = time_step(p, feed);
-    double highest = 0.0, largest = d;
-    for (const Fed& g : feed)
-        highest = std::max(highest, g.z), largest = std::max(largest, 2.0 * g.radius);
-    const double shelf = highest + 4.0 * largest, apart = 1.5 * largest;
-    const double half = 0.5 * p.rig.base_diameter + 6.0 * d + highest * std::sin(p.acts.tilt_angle);
+    double largest = d;
+    for (const Fed& g : feed) largest = std::max(largest, 2.0 * g.radius);
+    const double shelf = highest(p) + 4.0 * largest, apart = 1.5 * largest;
+    const double half =
+        0.5 * p.rig.base_diameter + 6.0 * d + highest(p) * std::sin(p.acts.tilt_angle);
     std::string data = fmt::format(
         "a heap on glued grains\n\n{} atoms\n2 atom types\n\n{:.12g} {:.12g} xlo xhi\n{:.12g} "
         "{:.12g} ylo yhi\n{:.12g} {:.12g} zlo zhi\n\nAtoms # sphere\n\n",
         feed.size() + glued.size(), -half, half, -half, half, -4.0 * largest,
         shelf + apart * static_cast<double>(feed.size() + 2));
     std::string text = head(p, step, glued.size());
+    const double ex = std::cos(p.acts.tilt_azimuth), ey = std::sin(p.acts.tilt_azimuth);
     std::size_t id = 0;
     for (const Fed& g : feed) {
-        const Place at = in_base_frame(g, g.z, p.acts);
         ++id;
         data += fmt::format("{} 1 {:.12g} {:.12g} {:.12g} {:.12g} {:.12g}\n", id, 2.0 * g.radius,
-                            p.grain.density, at.x, at.y, shelf + apart * static_cast<double>(id));
+                            p.grain.density, 0.0, 0.0, shelf + apart * static_cast<double>(id));
+        const double along = g.x * ex + g.y * ey, across = g.y * ex - g.x * ey;
         text += fmt::format(
-            "run {:.0f} upto pre no post no\nset atom {} z {:.12g}\ngroup loose id {}\n",
-            std::round(g.due / step), id, at.z, id);
+            "variable id equal {}\nvariable due equal {:.0f}\nvariable along equal {:.12g}\n"
+            "variable across equal {:.12g}\nvariable radius equal {:.12g}\n"
+            "include ${{folder}}/lift.in\n",
+            id, std::ceil(g.due / step), along, across, g.radius);
     }
     for (const Place& g : glued)
         data += fmt::format("{} 2 {:.12g} {:.12g} {:.12g} {:.12g} {:.12g}\n", ++id, d,
                             p.grain.density, g.x, g.y, g.z);
-    return {{"deck.in", text + rest(p, step)}, {"grains.data", data}};
+    return {{"deck.in", text + rest(p, step)}, {"lift.in", lift(p)}, {"grains.data", data}};
 }
 
 std::vector<Ball> read_heap(const std::string& text) {

@@ -37,9 +37,10 @@ std::size_t ring_of(std::size_t radius) {
     return radius * static_cast<std::size_t>(ring_count) / spot_radii;
 }
 
-// [runs, values] fitted as base and effects; the residuals are left in `values`.
+// [runs, values] fitted as base and effects; the residuals are left in `values`. `uncertain` as in Response.
 void fit(const std::vector<DesignPour>& design, const std::map<std::string, double>& largest,
-         MatrixXd& values, MatrixXd& base, std::map<std::string, MatrixXd>& effects) {
+         MatrixXd& values, MatrixXd& base, std::map<std::string, MatrixXd>& effects,
+         std::map<std::string, MatrixXd>& uncertain) {
     std::vector<Index> rows;
     for (std::size_t k = 0; k < design.size(); ++k)
         if (design[k].effect.empty()) rows.push_back(static_cast<Index>(k));
@@ -49,18 +50,28 @@ void fit(const std::vector<DesignPour>& design, const std::map<std::string, doub
             base_row(design[static_cast<std::size_t>(rows[k])].friction);
     const MatrixXd of_base = left.colPivHouseholderQr().solve(values(rows, Eigen::all));
     base = of_base.transpose();
+    const MatrixXd known = (left.transpose() * left).inverse();
+    uncertain[""] = known;
     for (std::size_t k = 0; k < design.size(); ++k)
         values.row(static_cast<Index>(k)) -= base_row(design[k].friction) * of_base;
     for (const auto& [name, most] : largest) {
         rows.clear();
         for (std::size_t k = 0; k < design.size(); ++k)
             if (design[k].effect == name) rows.push_back(static_cast<Index>(k));
-        MatrixXd terms(rows.size(), 4);
+        MatrixXd terms(rows.size(), 4), under(rows.size(), 3);
         for (std::size_t k = 0; k < rows.size(); ++k) {
             const DesignPour& p = design[static_cast<std::size_t>(rows[k])];
             terms.row(static_cast<Index>(k)) = effect_row(p.strength / most, p.friction);
+            under.row(static_cast<Index>(k)) = base_row(p.friction);
         }
         const MatrixXd of_effect = terms.colPivHouseholderQr().solve(values(rows, Eigen::all));
+        // The effect's coefficients are those of what these runs have less the base that other runs tell.
+        const MatrixXd squares = (terms.transpose() * terms).inverse();
+        const MatrixXd by_base = -squares * terms.transpose() * under;
+        MatrixXd both(7, 7);
+        both << known, known * by_base.transpose(), by_base * known,
+            squares + by_base * known * by_base.transpose();
+        uncertain[name] = both;
         effects[name] = of_effect.transpose();
         values(rows, Eigen::all) -= terms * of_effect;
     }
@@ -81,30 +92,67 @@ VectorXd instrument(const Arrangement& a) {
     return a.noise * a.noise * v;
 }
 
-VectorXd deviation(const Response& r, const VectorXd& truth, const std::string& effect,
-                   double strength, double friction, double azimuth) {
-    return truth - mean_features(r, effect, strength, friction, azimuth);
+// One world of the design's catalogue.
+struct Told {
+    std::string effect;
+    double strength, friction, azimuth;
+};
+
+VectorXd mean_of(const Response& r, const Told& w) {
+    return mean_features(r, w.effect, w.strength, w.friction, w.azimuth);
 }
 
-// Least r' S^-1 r over the user's frictions.
+// What the mean there weighs each coefficient with, those of the base first.
+VectorXd weights(const Response& r, const Told& w) {
+    const bool acts = r.effects.contains(w.effect);
+    VectorXd all(acts ? 7 : 3);
+    all.head(3) = base_row(w.friction).transpose();
+    if (acts) all.tail(4) = effect_row(w.strength / r.largest.at(w.effect), w.friction).transpose();
+    if (w.effect == "measurement_scale") all *= 1.0 + w.strength;
+    return all;
+}
+
+// What r' S^-1 r of the two means has on average by their own uncertainty. Two effects share the runs of the base alone.
+double by_uncertainty(const Response& r, const Told& a, const Told& b) {
+    if (r.uncertain.empty()) return 0.0;
+    const auto of = [&](const Told& w) -> const MatrixXd& {
+        return r.uncertain.at(r.effects.contains(w.effect) ? w.effect : "");
+    };
+    const MatrixXd &x = of(a), &y = of(b);
+    const VectorXd u = weights(r, a), v = weights(r, b);
+    double share = u.dot(x * u) + v.dot(y * v);
+    if (x.rows() == y.rows() && (x.rows() == 3 || a.effect == b.effect))
+        share -= 2.0 * u.dot(x * v);
+    else  // columns of the base: how it goes with each's own coefficients
+        share -= 2.0 * (x.leftCols(3).transpose() * u)
+                           .dot(r.uncertain.at("").ldlt().solve(y.leftCols(3).transpose() * v));
+    return r.scatter * share;
+}
+
+// Least r' S^-1 r over the user's frictions, less what uncertainty adds there.
 struct Least {
     double value, friction;
 };
-Least least(const HeapFamily& f, const std::vector<Response>& responses,
-            const std::vector<VectorXd>& truth, const std::string& effect, double strength,
-            double azimuth) {
+Least least(const HeapFamily& f, const std::vector<Response>& responses, const Told& truth,
+            const std::string& effect, double strength, double azimuth) {
     constexpr int steps = 150;
     Least best{1e300, f.low};
+    std::vector<VectorXd> means;
+    for (const Response& r : responses) means.push_back(mean_of(r, truth));
     for (int k = 0; k <= steps; ++k) {
         const double friction = f.low + (f.high - f.low) * k / steps;
         double sum = 0.0;
         for (std::size_t a = 0; a < responses.size(); ++a) {
             const VectorXd r =
-                deviation(responses[a], truth[a], effect, strength, friction, azimuth);
+                means[a] - mean_of(responses[a], {effect, strength, friction, azimuth});
             sum += repeats * r.dot(responses[a].inverse_covariance * r);
         }
         if (sum < best.value) best = {sum, friction};
     }
+    for (const Response& r : responses)
+        best.value -=
+            repeats * by_uncertainty(r, truth, {effect, strength, best.friction, azimuth});
+    best.value = std::max(0.0, best.value);
     return best;
 }
 
@@ -166,21 +214,23 @@ Response heap_response(const HeapFamily& f, const Arrangement& a,
     MatrixXd values(runs, feature_count);
     for (Index k = 0; k < runs; ++k)
         values.row(k) = features[static_cast<std::size_t>(k)].transpose();
-    fit(design, r.largest, values, r.base, r.effects);
+    fit(design, r.largest, values, r.base, r.effects, r.uncertain);
     MatrixXd covariance = values.transpose() * values / freedom;
     // A covariance from some thirty degrees of freedom is drawn a fifth towards its own diagonal (Ledoit & Wolf 2004).
     constexpr double shrink = 0.2;
     const MatrixXd diagonal = covariance.diagonal().asDiagonal();
     covariance = (1.0 - shrink) * covariance + shrink * diagonal;
+    const MatrixXd seeds = covariance;
     covariance.diagonal() += instrument(a);
     r.inverse_covariance = covariance.inverse();
+    r.scatter = (r.inverse_covariance * seeds).trace();
     MatrixXd spots(runs, static_cast<Index>(heights.front().size()));
     for (Index k = 0; k < runs; ++k)
         for (Index j = 0; j < spots.cols(); ++j)
             spots(k, j) = heights[static_cast<std::size_t>(k)][static_cast<std::size_t>(j)];
     MatrixXd unused;
-    std::map<std::string, MatrixXd> none;
-    fit(design, r.largest, spots, unused, none);
+    std::map<std::string, MatrixXd> none, neither;
+    fit(design, r.largest, spots, unused, none, neither);
     r.spot_scatter = std::sqrt(spots.squaredNorm() / (freedom * static_cast<double>(spots.cols())));
     return r;
 }
@@ -209,9 +259,7 @@ double flank(const Arrangement& a, const VectorXd& f) {
 
 Oracle heap_oracle(const HeapFamily& f, const std::vector<Response>& responses,
                    const std::string& effect, double strength, double friction, double azimuth) {
-    std::vector<VectorXd> truth;
-    for (const Response& r : responses)
-        truth.push_back(mean_features(r, effect, strength, friction, azimuth));
+    const Told truth{effect, strength, friction, azimuth};
     const Least none = least(f, responses, truth, "", 0.0, 0.0);
     Oracle o{none.value, none.friction, std::sqrt(none.value), ""};
     double nearest = none.value;

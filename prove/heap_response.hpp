@@ -33,6 +33,10 @@ struct Response {
     std::map<std::string, double> largest;           // strength at which t = 1
     Eigen::MatrixXd inverse_covariance;              // of one heap: seed scatter, instrument
     double spot_scatter = 0.0;                       // m, of single spots, seed and surface
+    // Covariance of the coefficients over that of a heap's scatter: of the base's [3, 3], of base and effect [7, 7]; and the mean of
+    // r' S^-1 r over heaps of one kind. 0: the means are known.
+    std::map<std::string, Eigen::MatrixXd> uncertain{};
+    double scatter = 0.0;
 };
 
 // `features` and `heights`: [design], of heaps of this arrangement without instrument noise; its share is added.
@@ -53,7 +57,7 @@ struct Oracle {
     double d;             // square root of the same for the nearest wrong effect
     std::string nearest;  // its name
 };
-// `responses`: of the fitted arrangements.
+// `responses`: of the fitted arrangements. What the means themselves are uncertain by adds to r' S^-1 r; on average it is taken off.
 Oracle heap_oracle(const HeapFamily&, const std::vector<Response>& responses,
                    const std::string& effect, double strength, double friction, double azimuth);
 

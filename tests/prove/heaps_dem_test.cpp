@@ -60,7 +60,7 @@ Seen by_core(const Arrangement& a, const cases::Case& c) {
 
 }  // namespace
 
-// Heaps scatter by some 4 % in grains and 8 % in height: the intervals of twenty beside twenty are +-2.5 and +-4.5 % wide. Grains fed
+// Heaps scatter by some 5 % in grains and 7 % in height: the intervals of twenty beside twenty are +-3 and +-4 % wide. Grains fed
 // into others took a fifth off a heap, a dashpot that was told 0.5 and had 0.62 a tenth, sticking grains that may twist freely a
 // ninth: the margin lies between.
 TEST_CASE("heaps: LAMMPS' truth and our core pour the same where the physics is the same",
@@ -96,7 +96,7 @@ TEST_CASE("heaps: LAMMPS' truth and our core pour the same where the physics is 
          {std::pair{&core.grains, &truth.grains}, std::pair{&core.height, &truth.height}}) {
         const statistics::Summary mean = statistics::summary(*ours);
         const statistics::Equivalence e =
-            statistics::two_one_sided_tests(mean, statistics::summary(*theirs), 0.1 * mean.mean);
+            statistics::two_one_sided_tests(mean, statistics::summary(*theirs), 0.08 * mean.mean);
         INFO(effect << ": difference " << e.difference / mean.mean << " ["
                     << e.interval.low / mean.mean << ", " << e.interval.high / mean.mean << "] of "
                     << mean.mean);
