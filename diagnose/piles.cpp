@@ -59,6 +59,7 @@ struct Piles::Inside {
     std::vector<std::unique_ptr<View>> views;
     std::vector<BulkEffect> effects;
     mutable std::vector<double> unseen;  // per round: mean square of what heaps were off
+    mutable double own_error = 0.0;      // largest share of it in a recording's variance
     mutable std::mutex guard{};
 
     Inside(const cases::Case& c, const Settings& s) : given(c), settings(s), pourer(c, s) {}
@@ -248,8 +249,9 @@ Record Piles::record(const cases::Experiment& e) const {
         double lowest = 0.0;
         for (const double z : like.head(n)) lowest = std::min(lowest, z);
         like.head(n).array() -= lowest;
-        about = v.emulator->covariance(like) *
-                (1.0 + (std::max(1.0, recordings) - 1.0) * v.emulator->share_of_error(like));
+        const double own = v.emulator->share_of_error(like);
+        in->own_error = std::max(in->own_error, own);
+        about = v.emulator->covariance(like) * (1.0 + (std::max(1.0, recordings) - 1.0) * own);
     } else {
         const rigs::World stated = rigs::world_of(in->given, e);
         MatrixXd y = in->fresh(v, stated, heaps_of_other);
@@ -382,8 +384,9 @@ std::vector<std::string> Piles::words() const {
     if (!in_->unseen.empty())
         list.push_back(fmt::format(
             "Heaps that the emulator had not seen were off by {:.2f} of the scatter that it had "
-            "foreseen (root mean square; 1 where it is right).",
-            std::sqrt(in_->unseen.back())));
+            "foreseen (root mean square; 1 where it is right). Up to {:.0f} % of a recording's "
+            "variance is the emulator's own error.",
+            std::sqrt(in_->unseen.back()), 100.0 * in_->own_error));
     return list;
 }
 
