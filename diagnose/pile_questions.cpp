@@ -100,6 +100,9 @@ void make_ambiguous(Judge& j, const Candidate& found, const Group& other) {
 }  // namespace
 
 void ask_where_it_matters(const Piles& piles, const cases::Case& c, const Settings& settings) {
+    if (std::none_of(c.experiments.begin(), c.experiments.end(),
+                     [&](const cases::Experiment& e) { return !e.held_out && is_profile(e); }))
+        return;
     Settings quiet = settings;
     quiet.progress = {};
     std::mt19937_64 random(settings.seed);

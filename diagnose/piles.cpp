@@ -370,6 +370,7 @@ double Piles::softening() const {
 
 std::vector<std::string> Piles::words() const {
     std::vector<std::string> list;
+    if (in_->families.empty()) return list;
     list.push_back(
         fmt::format("{} heaps were poured to know what others would look like{}.", heaps_poured(),
                     softening() < 1.0
@@ -392,7 +393,7 @@ std::vector<std::string> Piles::words() const {
 
 bool has_piles(const cases::Case& c) {
     return std::any_of(c.experiments.begin(), c.experiments.end(),
-                       [](const auto& e) { return !e.held_out && is_profile(e); });
+                       [](const auto& e) { return e.held_out ? e.rig == "pile" : is_profile(e); });
 }
 
 }  // namespace diagnose

@@ -60,7 +60,7 @@ class Piles {
     std::unique_ptr<Inside> in_;
 };
 
-// Whether the case has a profile of a pile among the recordings to be fitted.
+// Whether a pile's profile is to be fitted, or a pile is held out.
 bool has_piles(const cases::Case&);
 
 }  // namespace diagnose

@@ -152,3 +152,57 @@ TEST_CASE("an angle of repose alone names nothing and asks for the profile", "[d
     CHECK(all == Approx(1.0));
     CHECK(none == Approx(0.35 / 0.95));  // docs/diagnose.md, pairs apart
 }
+
+namespace {
+
+// Pulled apart under a controlled separation, down to the fold where two JKR grains let go (Johnson, Kendall & Roberts 1971), and on.
+cases::Experiment force_curve(double work, unsigned seed) {
+    cases::Experiment e = pile_case::experiment({"cones", d, 5e6, "24 mm", 20.0, noise, 0.5, {}});
+    const double e_star = 0.5 * 5e6 / (1.0 - 0.25 * 0.25), r_star = d / 4.0;
+    const double po = 1.5 * pi * work * r_star, err = 0.03 * po;
+    std::mt19937_64 random(seed);
+    std::normal_distribution<double> normal;
+    const auto overlap = [&](double a) {
+        return a * a / r_star - std::sqrt(2.0 * pi * a * work / e_star);
+    };
+    // d(overlap)/da = 0
+    const double fold = std::cbrt(pi * work * r_star * r_star / (8.0 * e_star));
+    std::vector<double> separation, force;
+    for (int k = 0; k < 60; ++k) {
+        const double a = fold * (4.0 - 2.95 * k / 59.0);
+        separation.push_back(-overlap(a));
+        force.push_back(4.0 * e_star * a * a * a / (3.0 * r_star) -
+                        std::sqrt(8.0 * pi * a * a * a * work * e_star) + err * normal(random));
+    }
+    for (int k = 1; k <= 20; ++k) {
+        separation.push_back(-overlap(fold) * (1.0 + 0.1 * k));
+        force.push_back(err * normal(random));
+    }
+    e.id = "curve", e.rig = "pull_off";
+    e.conditions.members = {{"counterpart", pile_case::text("counterpart", "grain")},
+                            {"preload", pile_case::text("preload", "3 mN")}};
+    e.noise = {{"force", err}};
+    cases::Column branch{"branch", "", {}, {}};
+    branch.words.assign(separation.size(), "retract");
+    e.recording = cases::Recording{
+        {{"separation", "m", separation, {}}, {"force", "N", force, {}}, std::move(branch)}};
+    return e;
+}
+
+}  // namespace
+
+TEST_CASE("an adhesion named in a force curve foretells a heap that was held out",
+          "[diagnose][piles]") {
+    const double bond = 8.0, weight = 2500.0 * pi / 6.0 * d * d * d * 9.81;
+    cases::Case c = piles(0.4, bond, 6);
+    c.model.parameters["sliding_friction"].range.reset();
+    for (cases::Experiment& e : c.experiments) e.held_out = true;
+    c.experiments.push_back(force_curve(bond * weight / (1.5 * pi * d / 4.0), 9));
+    const diagnose::Verdict v = verdict_of(c);
+    REQUIRE(v.answer == Answer::explained);
+    CHECK(v.effects.at(0).name == "adhesion");
+    REQUIRE(v.held_out);
+    // What is left is the scatter of one heap, and that of the mean of eight.
+    CHECK(v.held_out->nrmse_extended < 1.3 * v.held_out->noise_floor);
+    CHECK(v.held_out->nrmse_base > 1.8 * v.held_out->nrmse_extended);
+}
