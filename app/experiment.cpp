@@ -112,47 +112,28 @@ std::function<ExperimentRun()> prepared_pile(const Case& c, const Experiment& e,
     return [task] { return pile_run(task); };
 }
 
-bool is_flow(const Experiment& e) {
-    return e.rig == "discharge" || e.rig == "column" || e.rig == "drum";
-}
-
 ExperimentRun flow_run(const FlowTask& task, const Experiment& e) {
     const FlowOutcome outcome = run_flow(task);
     ExperimentRun run = run_so_far(task.plan, e.rig, outcome.run);
     if (!outcome.record) return run;
     const rigs::FlowRecord& record = *outcome.record;
-    const std::string& id = task.plan.id;
-    std::vector<double> x, y, z;
-    for (const contact::Vec3 at : record.grains.centre)
-        x.push_back(at.x), y.push_back(at.y), z.push_back(at.z);
-    run.tables = {{id, record.channels},
-                  {id + "-grains",
-                   {{"x", "m", x, {}},
-                    {"y", "m", y, {}},
-                    {"z", "m", z, {}},
-                    {"radius", "m", record.grains.radius, {}}}}};
-    if (!record.profile.empty()) run.tables.push_back({id + "-velocity", record.profile});
-    for (const reports::ChannelTable& table : run.tables)
-        if (!table.columns.empty())
-            cases::write_csv((task.plan.folder / (table.name + ".csv")).string(), table.columns);
-    run.section = reports::flow_section(id, record, e.recording ? &*e.recording : nullptr);
+    run.tables = write_flow(task.plan.folder, task.plan.id, record);
+    run.section =
+        reports::flow_section(task.plan.id, record, e.recording ? &*e.recording : nullptr);
     run.result = reports::to_json(record);
     return run;
 }
 
 std::function<ExperimentRun()> prepared_flow(const Case& c, const Experiment& e,
                                              const CommonOptions& o, const RunPlace& place) {
-    const auto refuse = [&](const char* option) {
-        throw InvalidInput(mistake(option, "rig " + cases::in_quotes(e.rig),
-                                   "must go with another rig", "leave it out"));
-    };
-    if (place.engine.peer != nullptr) refuse("--engine");
-    if (place.engine.lammps_rules) refuse("--contact");
-    const FlowTask task{plan_of(c, e, o, place), rigs::flow_setup(c, e, o.seed)};
+    FlowTask task{plan_of(c, e, o, place), chosen_flow(c, e, o.seed, place.engine)};
+    if (place.engine.lammps_rules)
+        task.plan.fingerprint = fingerprint_of("lammps rules", task.plan.fingerprint);
     refuse_frames(place.dump, task.setup.time_step, rigs::expected_steps(task.setup), place.yes);
     if (!place.yes)
         refuse_unaffordable(e, task.setup.place.size(), rigs::expected_steps(task.setup),
                             task.plan.threads);
+    if (place.engine.peer != nullptr) return prepared_flow_in_peer(task, e, o, place);
     return [task, &e] { return flow_run(task, e); };
 }
 
@@ -243,14 +224,21 @@ rigs::PileSetup chosen_setup(const Case& c, const Experiment& e, std::uint64_t s
     return setup;
 }
 
-bool has_frames(const Experiment& e) { return e.rig == "pile" || is_flow(e); }
+rigs::FlowSetup chosen_flow(const Case& c, const Experiment& e, std::uint64_t seed,
+                            const EngineChoice& choice) {
+    rigs::FlowSetup setup = rigs::flow_setup(c, e, seed);
+    if (choice.lammps_rules) rigs::take_lammps_rules(setup);
+    return setup;
+}
+
+bool has_frames(const Experiment& e) { return e.rig == "pile" || rigs::is_flow(e); }
 
 bool can_simulate(const Experiment& e) { return has_frames(e) || e.rig == "drop" || has_curves(e); }
 
 std::function<ExperimentRun()> prepared(const Case& c, const Experiment& e, const CommonOptions& o,
                                         const RunPlace& place) {
     if (e.rig == "pile") return prepared_pile(c, e, o, place);
-    if (is_flow(e)) return prepared_flow(c, e, o, place);
+    if (rigs::is_flow(e)) return prepared_flow(c, e, o, place);
     if (place.engine.peer != nullptr) return prepared_in_peer(c, e, o, place);
     if (e.rig == "drop")
         return [&e, setup = rigs::drop_setup(c, e), folder = place.folder] {

@@ -8,6 +8,7 @@
 #include "engines/peer.hpp"
 #include "reports/run_sheets.hpp"
 #include "reports/runs.hpp"
+#include "rigs/flow.hpp"
 #include "rigs/pile.hpp"
 
 #include <nlohmann/json.hpp>
@@ -53,6 +54,10 @@ EngineChoice engine_choice(const std::string& engine, int ranks, const std::stri
 // The setup of a pile of the case as it is run: counted_setup, under the rules chosen. Throws scaling::InvalidInput.
 rigs::PileSetup chosen_setup(const cases::Case&, const cases::Experiment&, std::uint64_t seed,
                              bool yes, const EngineChoice&);
+
+// Likewise of a discharge, a column or a drum.
+rigs::FlowSetup chosen_flow(const cases::Case&, const cases::Experiment&, std::uint64_t seed,
+                            const EngineChoice&);
 
 struct RunPlace {
     std::filesystem::path folder;

@@ -8,6 +8,7 @@
 #include "cases/read_case.hpp"
 #include "engines/lammps_pull_off.hpp"
 #include "engines/lammps_rules.hpp"
+#include "engines/lammps_vessels.hpp"
 #include "engines/nearest.hpp"
 #include "engines/process.hpp"
 #include "reports/numbers.hpp"
@@ -36,7 +37,7 @@ struct ExportOptions {
 
 constexpr const char* examples = R"(Examples:
   similitude export my-powder --engine lammps --out runs/deck --seed 3
-      deck.in and its data files for every pile, drop, incline, impact and pull_off, each in runs/deck/ID-lammps
+      deck.in and its data files for every experiment, each in runs/deck/ID-lammps
   similitude export my-powder --engine lammps --out runs/deck --submit slurm --ranks 32
       and job.sh beside each deck: sbatch job.sh
   similitude export my-powder --engine lammps --lammps-release later
@@ -77,6 +78,14 @@ Exported exported(const cases::Case& c, const cases::Experiment& e, const Export
         const std::string said = engines::untested(options, adhesive);
         if (!said.empty()) made.said.push_back(e.id + ": " + said);
     };
+    if (rigs::is_flow(e)) {
+        const rigs::FlowSetup setup = chosen_flow(c, e, o.seed, choice);
+        Exported made{e.id, peer.flow(setup, options)};
+        warn(made, setup.grains.work_of_adhesion > 0.0);
+        if (const std::string note = engines::vessel_note(setup); !note.empty())
+            made.said.push_back(e.id + ": " + note);
+        return made;
+    }
     if (e.rig != "pile") {
         Exported made{e.id, peer.one_grain(c, e, rigs::ordinates_of(e), options)};
         warn(made, false);
@@ -138,10 +147,12 @@ int run(const ExportOptions& o) {
         decks.push_back(exported(c, e, o, choice, release));
     }
     if (decks.empty())
-        throw InvalidInput(mistake(
-            "--experiment", o.experiment.empty() ? "none" : cases::in_quotes(o.experiment),
-            "must be a pile, drop, incline or impact of the case, in LAMMPS also a pull_off",
-            ids.empty() ? "this case has none" : cases::suggestion(o.experiment, ids)));
+        throw InvalidInput(
+            mistake("--experiment", o.experiment.empty() ? "none" : cases::in_quotes(o.experiment),
+                    "must be a pile, drop, incline or impact of the case, in LAMMPS also a "
+                    "pull_off, discharge, "
+                    "column or drum",
+                    ids.empty() ? "this case has none" : cases::suggestion(o.experiment, ids)));
     for (const auto& [id, deck, cost, said] : decks) {
         const std::filesystem::path folder = std::filesystem::path(o.out) / (id + "-" + peer.name);
         engines::write_deck(deck, folder);

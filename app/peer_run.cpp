@@ -4,6 +4,8 @@
 #include "app/forward_curves.hpp"
 #include "app/progress.hpp"
 #include "cases/csv.hpp"
+#include "engines/flow_run.hpp"
+#include "engines/lammps_vessels.hpp"
 #include "engines/nearest.hpp"
 #include "engines/one_throw.hpp"
 #include "engines/pile_run.hpp"
@@ -61,6 +63,39 @@ void refuse_for_peer(const CommonOptions& o, const RunPlace& place) {
     if (place.sleep) refuse("--sleep", "dem_min has it");
 }
 
+// The progress of a deck of many grains.
+class Told {
+  public:
+    Told(const RunPlan& plan, const Peer& peer, std::int64_t expected, double time_step)
+        : progress_(plan.progress),
+          who_(fmt::format("{} in {}", plan.id, peer.title)),
+          expected_(static_cast<double>(expected)),
+          time_step_(time_step) {
+        progress_.start(0.0);
+    }
+    void show(const engines::DeckProgress& p) {
+        reached = p.step;
+        const double step = static_cast<double>(p.step);
+        if (progress_.due())
+            progress_.show(
+                step, expected_,
+                fmt::format("{}: step {}, {}, {} grains, kinetic {}", who_, reports::count(step),
+                            reports::quantity(step * time_step_, "s"), p.grains,
+                            reports::quantity(p.kinetic, "J")));
+    }
+    std::int64_t reached = 0;  // step
+
+  private:
+    Progress progress_;
+    std::string who_;
+    double expected_, time_step_;
+};
+
+ExperimentRun peer_run(const std::string& id, const std::string& rig, const engines::DeckRun& deck,
+                       const Told& told) {
+    return {id, rig, deck.seconds, std::nullopt, {{"interrupted_at_step", told.reached}}};
+}
+
 ExperimentRun pile_in_peer(const PileTask& task, const EngineChoice& choice) {
     const Peer& peer = *choice.peer;
     const std::filesystem::path folder = deck_folder(task.plan.folder, task.plan.id, peer);
@@ -69,35 +104,49 @@ ExperimentRun pile_in_peer(const PileTask& task, const EngineChoice& choice) {
     std::vector<std::string> off;
     if (choice.nearest)
         off = engines::how_far_off(peer, engines::program_of(peer), task.setup, folder / "nearest");
-    const double expected = static_cast<double>(rigs::expected_steps(task.setup));
-    Progress progress(task.plan.progress);
-    progress.start(0.0);
-    std::int64_t reached = 0;
-    engines::PeerPileRun result = engines::run_pile(
-        peer, engines::program_of(peer), task.setup, folder, choice.ranks,
-        [&](const engines::PileProgress& p) {
-            reached = p.step;
-            const double step = static_cast<double>(p.step);
-            if (progress.due())
-                progress.show(step, expected,
-                              fmt::format("{} in {}: step {}, {}, {} grains, kinetic {}",
-                                          task.plan.id, peer.title, reports::count(step),
-                                          reports::quantity(step * task.setup.time_step, "s"),
-                                          p.grains, reports::quantity(p.kinetic, "J")));
-        });
-    ExperimentRun run{
-        task.plan.id, "pile", result.seconds, std::nullopt, {{"interrupted_at_step", reached}}};
+    Told told(task.plan, peer, rigs::expected_steps(task.setup), task.setup.time_step);
+    engines::PeerPileRun result =
+        engines::run_pile(peer, engines::program_of(peer), task.setup, folder, choice.ranks,
+                          [&](const engines::DeckProgress& p) { told.show(p); });
+    ExperimentRun run = peer_run(task.plan.id, "pile", result.deck, told);
     if (result.end) {
         rigs::PileRecord& record = result.end->record;
         for (std::string& said : off) record.notes.push_back(std::move(said));
-        if (std::string said = words_of(peer, result.release); !said.empty())
+        if (std::string said = words_of(peer, result.deck.release); !said.empty())
             record.notes.push_back(std::move(said));
         run.tables = write_pile(task.plan.folder, task.plan.id, record);
         run.section = reports::pile_section(task.plan.id, record);
         run.result = reports::to_json(record);
     }
-    run.result["engine"] =
-        engine_json(peer, result.release, choice.ranks, result.command, folder, deck.name);
+    run.result["engine"] = engine_json(peer, result.deck.release, choice.ranks, result.deck.command,
+                                       folder, deck.name);
+    return run;
+}
+
+ExperimentRun flow_in_peer(const FlowTask& task, const Experiment& e, const EngineChoice& choice) {
+    const Peer& peer = *choice.peer;
+    const std::filesystem::path folder = deck_folder(task.plan.folder, task.plan.id, peer);
+    const engines::Deck deck = peer.flow(task.setup, {});
+    engines::write_deck(deck, folder);
+    Told told(task.plan, peer, rigs::expected_steps(task.setup), task.setup.time_step);
+    const engines::PeerFlowRun result =
+        engines::run_flow(peer, engines::program_of(peer), task.setup, folder, choice.ranks,
+                          [&](const engines::DeckProgress& p) { told.show(p); });
+    ExperimentRun run = peer_run(task.plan.id, e.rig, result.deck, told);
+    if (result.end) {
+        const rigs::FlowRecord record = rigs::record(*result.end, task.setup);
+        run.tables = write_flow(task.plan.folder, task.plan.id, record);
+        run.section =
+            reports::flow_section(task.plan.id, record, e.recording ? &*e.recording : nullptr);
+        run.result = reports::to_json(record);
+        for (const std::string& said :
+             {engines::vessel_note(task.setup), words_of(peer, result.deck.release)})
+            if (!said.empty()) run.section->notes.push_back(said);
+        if (const std::string said = engines::vessel_note(task.setup); !said.empty())
+            run.result["note"] = said;
+    }
+    run.result["engine"] = engine_json(peer, result.deck.release, choice.ranks, result.deck.command,
+                                       folder, deck.name);
     return run;
 }
 
@@ -169,6 +218,40 @@ std::function<ExperimentRun()> prepared_pile_in_peer(const PileTask& task, const
     engines::refuse_ranks_without_mpirun(choice.ranks);
     choice.peer->pile(task.setup, {.nearest = choice.nearest});
     return [task, choice] { return pile_in_peer(task, choice); };
+}
+
+std::vector<reports::ChannelTable> write_flow(const std::filesystem::path& folder,
+                                              const std::string& id,
+                                              const rigs::FlowRecord& record) {
+    std::vector<double> x, y, z;
+    for (const contact::Vec3 at : record.grains.centre)
+        x.push_back(at.x), y.push_back(at.y), z.push_back(at.z);
+    std::vector<reports::ChannelTable> tables{{id, record.channels},
+                                              {id + "-grains",
+                                               {{"x", "m", x, {}},
+                                                {"y", "m", y, {}},
+                                                {"z", "m", z, {}},
+                                                {"radius", "m", record.grains.radius, {}}}}};
+    if (!record.profile.empty()) tables.push_back({id + "-velocity", record.profile});
+    for (const reports::ChannelTable& table : tables)
+        if (!table.columns.empty())
+            cases::write_csv((folder / (table.name + ".csv")).string(), table.columns);
+    return tables;
+}
+
+std::function<ExperimentRun()> prepared_flow_in_peer(const FlowTask& task, const Experiment& e,
+                                                     const CommonOptions& o,
+                                                     const RunPlace& place) {
+    const EngineChoice choice = place.engine;
+    refuse_for_peer(o, place);
+    if (choice.peer->flow == nullptr)
+        throw InvalidInput(mistake("--engine", choice.peer->name,
+                                   fmt::format("has no deck for the rig {}", e.rig),
+                                   "take lammps, which has one, or dem_min"));
+    engines::program_of(*choice.peer);
+    engines::refuse_ranks_without_mpirun(choice.ranks);
+    choice.peer->flow(task.setup, {.nearest = choice.nearest});
+    return [task, &e, choice] { return flow_in_peer(task, e, choice); };
 }
 
 std::function<ExperimentRun()> prepared_in_peer(const Case& c, const Experiment& e,

@@ -9,7 +9,7 @@ namespace engines {
 
 void write_deck(const Deck& d, const std::filesystem::path& folder) {
     std::filesystem::remove_all(folder / "feed");  // batches of a longer feed
-    for (const char* result : {"final.dump", "final.data", "rows.dump"})
+    for (const char* result : {"final.dump", "final.data", "rows.dump", "looks.dump"})
         std::filesystem::remove(folder / result);
     for (const Peer& peer : peers()) std::filesystem::remove(folder / peer.log);
     std::filesystem::create_directories(folder);

@@ -48,12 +48,9 @@ std::string lammps_data(const std::vector<dem_min::Grain>& grains, const Box& bo
     return text;
 }
 
-FinalGrains read_final_grains(const std::filesystem::path& folder, double density,
-                              const std::string& extra) {
-    const std::filesystem::path file = folder / "final.dump";
-    const auto frames = read_lammps_frames(file);
-    if (frames.size() != 1) throw std::runtime_error(file.string() + ": not one frame");
-    const LammpsFrame& f = frames.front();
+namespace {
+
+FinalGrains grains_of(const LammpsFrame& f, double density, const std::string& extra) {
     const std::size_t x = f.column("x"), v = f.column("vx"), w = f.column("omegax");
     const std::size_t radius = f.column("radius"), type = f.column("type");
     const auto glued = std::find(f.columns.begin(), f.columns.end(), "v_glued");
@@ -72,6 +69,22 @@ FinalGrains read_final_grains(const std::filesystem::path& folder, double densit
                               fixed(row)});
         if (!extra.empty()) all.extra.push_back(row[f.column(extra)]);
     }
+    return all;
+}
+
+}  // namespace
+
+FinalGrains read_final_grains(const std::filesystem::path& folder, double density,
+                              const std::string& extra) {
+    const std::filesystem::path file = folder / "final.dump";
+    const auto frames = read_lammps_frames(file);
+    if (frames.size() != 1) throw std::runtime_error(file.string() + ": not one frame");
+    return grains_of(frames.front(), density, extra);
+}
+
+std::vector<FinalGrains> read_grains(const std::filesystem::path& file, double density) {
+    std::vector<FinalGrains> all;
+    for (const LammpsFrame& f : read_lammps_frames(file)) all.push_back(grains_of(f, density, ""));
     return all;
 }
 

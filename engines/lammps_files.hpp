@@ -35,4 +35,7 @@ struct FinalGrains {
 FinalGrains read_final_grains(const std::filesystem::path& folder, double density,
                               const std::string& extra = "");
 
+// Of every frame of a file with these columns.
+std::vector<FinalGrains> read_grains(const std::filesystem::path&, double density);
+
 }  // namespace engines

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 namespace engines {
 namespace {
@@ -18,29 +19,15 @@ using rigs::PileSetup;
 
 bool is_flat(const PileSetup& s) { return s.conditions.base == rigs::Base::flat; }
 
-bool sticky(const rigs::ContactParameters& c) { return c.work_of_adhesion > 0.0; }
-
-NominalPair nominal_pair(const PileSetup& s) {
-    return {0.25 * s.d, 0.5 * energy_unit(s) / (s.gravity * s.d)};
-}
+NominalPair nominal(const PileSetup& s) { return nominal_pair(s.d, s.density); }
 
 void refuse_what_lammps_has_not(const PileSetup& s, const DeckOptions& o) {
-    if (o.nearest)
-        refuse(o, "lammps", "has the laws of --contact lammps: no nearest is needed",
-               "say --contact lammps");
-    if (!s.grains.as_lammps &&
-        (sticky(s.grains) || s.grains.rolling_friction > 0.0 || s.walls.rolling_friction > 0.0))
-        refuse(o, "lammps", "has no EPSD rolling and does not tear off at the fold",
-               "say --contact lammps: SDS rolling and tear-off at the deepest tension, on either "
-               "engine");
     if (s.conditions.base == rigs::Base::flat_with_rim)
         refuse(o, "lammps", "is told of no rim", "take flat or glued_grains for the base");
-    if (is_flat(s) && sticky(s.walls))
-        refuse(o, "lammps", "loses the force of an adhesive contact with a wall beyond its fold",
-               "take glued_grains for the base, or no wall_adhesion");
+    std::optional<std::string> smooth;
+    if (is_flat(s)) smooth = "take glued_grains for the base, or no wall_adhesion";
+    refuse_contacts(s.grains, s.walls, o, smooth);
     refuse_rig_of_our_own(s, o, "lammps");
-    refuse_restitution(s.grains.restitution, o);
-    if (is_flat(s)) refuse_restitution(s.walls.restitution, o);
 }
 
 // A data file whose charges are the upward velocities: with several ranks, LAMMPS crashes on a section Velocities that is added to
@@ -81,7 +68,7 @@ std::string plate(const PileSetup& s, const DeckOptions& o) {
     return fmt::format(R"(region base cylinder z 0 0 {:.17g} {:.17g} 0 side out units box
 fix plate loose wall/gran/region granular {} region base)",
                        0.5 * s.conditions.base_diameter, -1e-3 * s.d,
-                       granular_arguments(s.walls, o, nominal_pair(s)));
+                       granular_arguments(s.walls, o, nominal(s)));
 }
 
 std::string head(const PileSetup& s, const DeckOptions& o) {
@@ -113,8 +100,8 @@ timestep {dt:.17g}
         fmt::arg("xl", box.low.x), fmt::arg("xh", box.high.x), fmt::arg("yl", box.low.y),
         fmt::arg("yh", box.high.y), fmt::arg("zl", box.low.z), fmt::arg("zh", box.high.z),
         fmt::arg("release", release_line(o)), fmt::arg("skin", 0.4 * s.d),
-        fmt::arg("pair", granular_arguments(s.grains, o, nominal_pair(s))),
-        fmt::arg("dt", s.time_step), fmt::arg("afar", lammps_forces_from_afar(s)),
+        fmt::arg("pair", granular_arguments(s.grains, o, nominal(s))), fmt::arg("dt", s.time_step),
+        fmt::arg("afar", lammps_forces_from_afar(s)),
         fmt::arg("grains", is_flat(s) ? parked_grains : glued_base),
         fmt::arg("base", is_flat(s) ? plate(s, o) : frozen));
 }
@@ -189,18 +176,17 @@ std::string rest_loop_of_one_run(const PileSetup& s) {
 variable moved string $(step)
 label settle
 run {check} pre no post no
-variable restless_now equal v_restless
-if "${{restless_now}} >= {limit}" then "variable moved string $(step)"
-variable calm equal step-${{moved}}-{check}
-if "${{calm}} >= {still}" then "print 'similitude: at rest at step $(step)'" "jump SELF results"
-if "$(step) < {longest}" then "jump SELF settle"
+{calm}if "$(step) < {longest}" then "jump SELF settle"
 print "similitude: given up at step $(step)"
 label results
 run 0 pre no post no
 )deck",
-                       fmt::arg("check", rest_check_interval), fmt::arg("limit", at_rest_below),
+                       fmt::arg("check", rest_check_interval),
                        fmt::arg("longest", whole_checks(s, s.longest)),
-                       fmt::arg("still", whole_checks(s, s.rest_duration)));
+                       fmt::arg("still", whole_checks(s, s.rest_duration)),
+                       fmt::arg("calm", lammps_calm(whole_checks(s, s.rest_duration),
+                                                    "\"print 'similitude: at rest at step "
+                                                    "$(step)'\" \"jump SELF results\"")));
 }
 
 constexpr const char* results =
@@ -227,6 +213,16 @@ Deck over_a_plate(const PileSetup& s, const DeckOptions& o, const std::vector<Fe
 }
 
 }  // namespace
+
+std::string lammps_calm(std::int64_t still, const std::string& then) {
+    return fmt::format(R"deck(variable restless_now equal v_restless
+if "${{restless_now}} >= {limit}" then "variable moved string $(step)"
+variable calm equal step-${{moved}}-{check}
+if "${{calm}} >= {still}" then {then}
+)deck",
+                       fmt::arg("limit", at_rest_below), fmt::arg("check", rest_check_interval),
+                       fmt::arg("still", still), fmt::arg("then", then));
+}
 
 std::string pile_questions(const PileSetup& s, const std::string& present) {
     return fmt::format(R"(

@@ -8,6 +8,7 @@
 #include "rigs/pile.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,10 @@ namespace engines {
 // Throws scaling::InvalidInput for what LAMMPS has not or we have not told it yet: contact rules of our own, rigid friction, a rim,
 // walls that adhere, several materials, a funnel or mesh, sleep, a restitution below 0.12.
 Deck lammps_pile(const rigs::PileSetup&, const DeckOptions& = {});
+
+// A look at rest where runs follow one another without a set-up: what to do `then`, in quotes, once the variable `restless` has been below
+// 1e-6 since the step ${moved} for `still` steps.
+std::string lammps_calm(std::int64_t still, const std::string& then);
 
 // `program -in deck.in -log log.PROGRAM`, with mpirun where there is more than one rank; LIGGGHTS takes the same.
 std::vector<std::string> lammps_like_deck_command(const std::string& program, int ranks,

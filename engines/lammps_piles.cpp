@@ -34,7 +34,7 @@ std::optional<rigs::PileEnd> LammpsPiles::run(const rigs::PileSetup& s,
                                               const std::function<void(std::int64_t)>& show) {
     write_deck(lammps_pile(s), folder_);
     PeerPileRun done =
-        run_pile(*find_peer("lammps"), lmp_, s, folder_, ranks_, [&](const PileProgress& p) {
+        run_pile(*find_peer("lammps"), lmp_, s, folder_, ranks_, [&](const DeckProgress& p) {
             if (show) show(p.step);
         });
     if (done.end) std::filesystem::remove_all(folder_);

@@ -3,6 +3,7 @@
 
 #include "contact/damping_tsuji1992.hpp"
 #include "engines/bed_lammps.hpp"
+#include "engines/pile_feed.hpp"
 
 #include <fmt/format.h>
 
@@ -27,6 +28,10 @@ std::string normal(const rigs::ContactParameters& c, double damping) {
 }
 
 }  // namespace
+
+NominalPair nominal_pair(double d, double density) {
+    return {0.25 * d, 0.5 * density * (std::numbers::pi / 6.0) * (d * d * d)};
+}
 
 double viscoelastic_eta(const rigs::ContactParameters& c, const NominalPair& pair) {
     const double a0 = std::cbrt(4.5 * std::numbers::pi * c.work_of_adhesion * pair.r_star *
@@ -61,6 +66,24 @@ void refuse_restitution(double restitution, const DeckOptions& o) {
     if (!later(o) && restitution < most_damping)
         refuse(o, "lammps", "cannot damp below a restitution of 0.12 (damping tsuji ends there)",
                "take a higher restitution, or leave the option out");
+}
+
+void refuse_contacts(const rigs::ContactParameters& grains, const rigs::ContactParameters& walls,
+                     const DeckOptions& o, const std::optional<std::string>& smooth_walls) {
+    if (o.nearest)
+        refuse(o, "lammps", "has the laws of --contact lammps: no nearest is needed",
+               "say --contact lammps");
+    if (!grains.as_lammps &&
+        (sticky(grains) || grains.rolling_friction > 0.0 || walls.rolling_friction > 0.0))
+        refuse(o, "lammps", "has no EPSD rolling and does not tear off at the fold",
+               "say --contact lammps: SDS rolling and tear-off at the deepest tension, on either "
+               "engine");
+    if (smooth_walls && sticky(walls))
+        refuse(o, "lammps", "loses the force of an adhesive contact with a wall beyond its fold",
+               *smooth_walls);
+    refuse_contacts_of_our_own(grains, o, "lammps");
+    refuse_restitution(grains.restitution, o);
+    if (smooth_walls) refuse_restitution(walls.restitution, o);
 }
 
 std::string release_line(const DeckOptions& o) {

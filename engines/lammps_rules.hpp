@@ -13,6 +13,7 @@
 #include "engines/deck.hpp"
 #include "rigs/pile.hpp"
 
+#include <optional>
 #include <string>
 
 namespace engines {
@@ -21,6 +22,7 @@ namespace engines {
 struct NominalPair {
     double r_star, m_star;  // m, kg
 };
+NominalPair nominal_pair(double d, double density);
 
 // What follows `pair_coeff * *`, and `granular` in `fix wall/gran` and `fix wall/gran/region`.
 std::string granular_arguments(const rigs::ContactParameters&, const DeckOptions&,
@@ -32,6 +34,11 @@ double viscoelastic_eta(const rigs::ContactParameters&, const NominalPair&);
 // Throws scaling::InvalidInput below 0.12, where the polynomial of `tsuji` ends; for a later release at 0, of which coeff_restitution
 // takes the logarithm.
 void refuse_restitution(double restitution, const DeckOptions&);
+
+// Throws scaling::InvalidInput for EPSD rolling, the fold, rules of our own, a restitution that cannot be told, and for DeckOptions::nearest,
+// of which there is no need. `smooth_walls`: grains touch walls, and then these may not adhere; the remedy is told.
+void refuse_contacts(const rigs::ContactParameters& grains, const rigs::ContactParameters& walls,
+                     const DeckOptions&, const std::optional<std::string>& smooth_walls);
 
 // A line of comment: which release a deck is written for.
 std::string release_line(const DeckOptions&);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "engines/peer.hpp"
 
+#include "engines/lammps_flow.hpp"
 #include "engines/lammps_one_grain.hpp"
 #include "engines/lammps_pile.hpp"
 #include "engines/lammps_run.hpp"
@@ -26,6 +27,7 @@ const std::vector<Peer>& peers() {
          .jkr = true,
          .pile = lammps_pile,
          .one_grain = lammps_one_grain,
+         .flow = lammps_flow,
          .apart = nullptr,
          .command =
              [](const std::string& program, int ranks) {
@@ -47,6 +49,7 @@ const std::vector<Peer>& peers() {
          .jkr = false,
          .pile = liggghts_pile,
          .one_grain = liggghts_one_grain,
+         .flow = nullptr,
          .apart = liggghts_apart,
          .command =
              [](const std::string& program, int ranks) {
@@ -64,6 +67,7 @@ const std::vector<Peer>& peers() {
          .jkr = false,
          .pile = yade_pile,
          .one_grain = yade_one_grain,
+         .flow = nullptr,
          .apart = yade_apart,
          .command = yade_command,
          .release = yade_release,
@@ -73,7 +77,8 @@ const std::vector<Peer>& peers() {
 }
 
 bool has_deck(const Peer& peer, const cases::Experiment& e) {
-    return e.rig == "pile" || is_thrown(e) || (peer.jkr && e.rig == "pull_off");
+    return e.rig == "pile" || is_thrown(e) || (peer.flow && rigs::is_flow(e)) ||
+           (peer.jkr && e.rig == "pull_off");
 }
 
 const Peer* find_peer(const std::string& name) {

@@ -4,6 +4,7 @@
 
 #include "cases/case.hpp"
 #include "engines/deck.hpp"
+#include "rigs/flow.hpp"
 #include "rigs/forward.hpp"
 #include "rigs/pile.hpp"
 
@@ -21,10 +22,12 @@ struct Peer {
     std::string log;      // file in the deck's folder that tells what went wrong
     bool ranks;           // runs under MPI
     bool jkr;             // has it, and so a deck for the rig pull_off
-    // Both throw scaling::InvalidInput for what the engine has not or is not told of.
+    // All throw scaling::InvalidInput for what the engine has not or is not told of.
     Deck (*pile)(const rigs::PileSetup&, const DeckOptions&);
     Deck (*one_grain)(const cases::Case&, const cases::Experiment&, const rigs::Ordinates&,
                       const DeckOptions&);
+    // Of the rigs discharge, column and drum; null where it has no decks for these.
+    Deck (*flow)(const rigs::FlowSetup&, const DeckOptions&);
     // Two grains drawn apart in the nearest law (engines/nearest.hpp); null where none is needed.
     Deck (*apart)(const rigs::PileSetup&);
     std::vector<std::string> (*command)(const std::string& program, int ranks);

@@ -137,18 +137,29 @@ double energy_unit(const PileSetup& s) {
     return mass * s.gravity * s.d;
 }
 
+std::int64_t whole_checks(double time_step, double duration) {
+    const auto steps = static_cast<std::int64_t>(
+        std::ceil(duration / time_step / rest_check_interval) * rest_check_interval);
+    const bool short_of_it = static_cast<double>(steps) * time_step < duration;  // by rounding
+    return short_of_it ? steps + rest_check_interval : steps;
+}
+
 std::int64_t whole_checks(const PileSetup& s, double duration) {
-    return static_cast<std::int64_t>(std::ceil(duration / s.time_step / rest_check_interval) *
-                                     rest_check_interval);
+    return whole_checks(s.time_step, duration);
+}
+
+void refuse_contacts_of_our_own(const rigs::ContactParameters& grains, const DeckOptions& o,
+                                const std::string& engine) {
+    if (grains.rigid_tangential) refuse(o, engine, "has no rigid friction (hertz_coulomb)", ours);
+    if (grains.friction_cap != contact::FrictionCap::elastic_plus_two_pull_off)
+        refuse(o, engine, "is told of no friction_cap", ours);
+    if (grains.bridge.acts()) refuse(o, engine, "is told of no capillary_bridge", ours);
+    if (grains.ageing.acts()) refuse(o, engine, "has no ageing of adhesion", ours);
 }
 
 void refuse_rig_of_our_own(const PileSetup& s, const DeckOptions& o, const std::string& engine) {
     const rigs::PileConditions& c = s.conditions;
-    if (s.grains.rigid_tangential) refuse(o, engine, "has no rigid friction (hertz_coulomb)", ours);
-    if (s.grains.friction_cap != contact::FrictionCap::elastic_plus_two_pull_off)
-        refuse(o, engine, "is told of no friction_cap", ours);
-    if (s.grains.bridge.acts()) refuse(o, engine, "is told of no capillary_bridge", ours);
-    if (s.grains.ageing.acts()) refuse(o, engine, "has no ageing of adhesion", ours);
+    refuse_contacts_of_our_own(s.grains, o, engine);
     if (!s.materials.pairs.empty()) refuse(o, engine, "is told of one material only", ours);
     if (c.funnel || !c.meshes.empty()) refuse(o, engine, "is told of no funnel and no mesh", ours);
     if (!s.feed_axis.empty()) refuse(o, engine, "is told of no clumps (shape)", ours);

@@ -43,13 +43,18 @@ Box pile_box(const rigs::PileSetup&);
 
 double loose_density(const rigs::PileSetup&);  // kg/m^3
 double energy_unit(const rigs::PileSetup&);    // J, m g d of a nominal grain
-std::int64_t whole_checks(const rigs::PileSetup&,
-                          double duration);  // steps, rounded up to the looks at rest
+// Steps, rounded up to the looks at rest.
+std::int64_t whole_checks(double time_step, double duration);
+std::int64_t whole_checks(const rigs::PileSetup&, double duration);
 
 // What LAMMPS alone is told of: a fluid, tilt, vibration.
 void refuse_surroundings(const rigs::PileSetup&, const DeckOptions&, const std::string& engine);
 
-// What none of the peers is told of: rigid friction, several materials, funnel and mesh, sleep.
+// What none of the peers is told of: rigid friction, another friction cap, bridges, ageing.
+void refuse_contacts_of_our_own(const rigs::ContactParameters&, const DeckOptions&,
+                                const std::string& engine);
+
+// These, several materials, funnel and mesh, clumps, sleep.
 void refuse_rig_of_our_own(const rigs::PileSetup&, const DeckOptions&, const std::string& engine);
 
 }  // namespace engines

@@ -160,7 +160,9 @@ double usual_interval(const Drum& drum, const FlowSetup&) {
     return turn_time(drum) / looks_per_turn;
 }
 
-double expected_duration(const Drum& drum, const FlowSetup&) { return turns * turn_time(drum); }
+double run_time(const Drum& drum) { return turns * turn_time(drum); }
+
+double expected_duration(const Drum& drum, const FlowSetup&) { return run_time(drum); }
 
 void let_go(const Drum& drum, Simulation& s) {
     for (dem_min::Wall& wall : s.walls) std::get<Shell>(wall).spin = drum.speed;
@@ -169,14 +171,13 @@ void let_go(const Drum& drum, Simulation& s) {
 void look(const Drum& drum, FlowRun& run, const FlowSetup& setup, double t, std::size_t) {
     const Surface surface = surface_of(run.simulation, drum, setup.d);
     run.state.rows.push_back({t, surface.angle, surface.level});
-    const double end = setup.times.empty() ? turns * turn_time(drum) : setup.times.back();
+    const double end = setup.times.empty() ? run_time(drum) : setup.times.back();
     if (t >= std::min(turn_time(drum), 0.5 * end))
         add_velocities(run, surface, setup.d, depth_cells(drum, setup.d));
 }
 
 std::string watch(const Drum& drum, FlowRun& run, const FlowSetup& setup) {
-    const bool over =
-        setup.times.empty() && seconds_since_release(run, setup) >= turns * turn_time(drum);
+    const bool over = setup.times.empty() && seconds_since_release(run, setup) >= run_time(drum);
     return over ? "recorded" : "";
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 namespace rigs {
@@ -16,6 +17,7 @@ using contact::Vec3;
 using dem_min::Simulation;
 
 constexpr std::int64_t watch_interval = 100;  // steps
+constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
 
 double height(const FlowSetup& setup, Vec3 place) {
     return contact::dot(std::visit([](const auto& v) { return up(v); }, setup.vessel), place);
@@ -75,12 +77,10 @@ double time_of_look(const FlowSetup& setup, std::size_t number) {
                                        : std::numeric_limits<double>::infinity();
 }
 
-// The step nearest to it; far away where there is none.
+// Far away where there is none.
 std::int64_t step_of_look(const FlowRun& run, const FlowSetup& setup) {
-    const double time = time_of_look(setup, run.state.looked);
-    if (run.state.released < 0 || !std::isfinite(time))
-        return std::numeric_limits<std::int64_t>::max();
-    return run.state.released + std::llround(time / setup.time_step);
+    const std::int64_t after = steps_to_look(setup, run.state.looked);
+    return run.state.released < 0 || after == never ? never : run.state.released + after;
 }
 
 void look_where_due(FlowRun& run, const FlowSetup& setup) {
@@ -109,6 +109,21 @@ void watch_flow(FlowRun& run, const FlowSetup& setup) {
     if (ending.empty() && !setup.times.empty() && run.state.looked == setup.times.size())
         ending = "recorded";
     if (!ending.empty()) finish(run, setup, std::move(ending));
+}
+
+// Walls go on from where they were seen last.
+void take(FlowRun& run, const FlowSight& sight) {
+    Simulation seen;
+    const Simulation& before = run.simulation;
+    seen.settings = before.settings;
+    seen.between_grains = before.between_grains, seen.at_walls = before.at_walls;
+    seen.walls = before.walls;
+    const auto steps = static_cast<double>(sight.step - before.steps);
+    for (dem_min::Wall& wall : seen.walls)
+        if (dem_min::moves(wall)) dem_min::carry_on(wall, steps * before.settings.time_step);
+    for (const dem_min::Grain& grain : sight.grains) dem_min::insert(seen, grain);
+    seen.steps = sight.step;
+    run.simulation = std::move(seen);
 }
 
 }  // namespace
@@ -161,6 +176,33 @@ void restore(FlowRun& run, const FlowSetup& setup, FlowState state) {
     if (state.released >= 0)
         std::visit([&](const auto& v) { let_go(v, run.simulation); }, setup.vessel);
     run.state = std::move(state);
+}
+
+FlowRun run_as_seen(const FlowSetup& setup, const SeenFlow& seen) {
+    FlowRun run = begin_flow(setup, 1);
+    for (const FlowSight& sight : seen.sights) {
+        take(run, sight);
+        if (!seen.released) continue;
+        if (run.state.released < 0) release(run, setup);
+        look_where_due(run, setup);
+    }
+    run.state.still_since = seen.still_since;
+    if (!seen.released) {
+        run.state.finished = true;
+        run.state.ending = "not_at_rest";
+        return run;
+    }
+    run.state.last_out = seen.last_out;
+    run.state.noted["last_count"] = static_cast<double>(run.simulation.grains.count());
+    watch_flow(run, setup);
+    if (!run.state.finished)
+        throw std::runtime_error("a flow that another engine ended is not over by the rig's rules");
+    return run;
+}
+
+std::int64_t steps_to_look(const FlowSetup& setup, std::size_t number) {
+    const double time = time_of_look(setup, number);
+    return std::isfinite(time) ? std::llround(time / setup.time_step) : never;
 }
 
 void advance(FlowRun& run, const FlowSetup& setup, std::int64_t steps) {

@@ -66,9 +66,15 @@ struct FlowSetup {
     std::vector<double> depths;  // m, at which a drum's velocities are asked for; or empty
 };
 
+// Whether the rig is one of these three.
+bool is_flow(const cases::Experiment&);
+
 // The material and the model of a case with the conditions of one of its experiments, of rig `discharge`, `column` or `drum`.
 // Where there is a recording, it is looked at its instants. Throws scaling::InvalidInput.
 FlowSetup flow_setup(const cases::Case&, const cases::Experiment&, std::uint64_t seed);
+
+// The rules that LAMMPS has as well, at every contact (rigs/physics.hpp).
+void take_lammps_rules(FlowSetup&);
 
 // Draws sizes and places, then chooses steps: what flow_setup does once all else is known. Throws scaling::InvalidParameter where
 // the vessel has no room.
@@ -101,6 +107,23 @@ void restore(FlowRun&, const FlowSetup&, FlowState state);
 
 // At most `steps`, fewer if the run finishes. Deterministic: the number of calls does not matter.
 void advance(FlowRun&, const FlowSetup&, std::int64_t steps);
+
+// What another engine saw of a flow.
+struct FlowSight {
+    std::int64_t step;
+    std::vector<dem_min::Grain> grains;  // all that are in the vessel
+};
+struct SeenFlow {
+    bool released;  // else the one sight is of a bed that did not come to rest
+    std::int64_t still_since = -1, last_out = -1;  // at the end, as in FlowState
+    std::vector<FlowSight> sights;                 // of t = 0, of each look, of the end
+};
+
+// That run as one of our own: looked at, ended and noted by the rig's rules. Throws std::runtime_error where by these it is not over.
+FlowRun run_as_seen(const FlowSetup&, const SeenFlow&);
+
+// Steps from t = 0 on to a look, the nearest one; far away where there is none of that number.
+std::int64_t steps_to_look(const FlowSetup&, std::size_t number);
 
 // Steps that a run is expected to take, for progress: an order of magnitude.
 std::int64_t expected_steps(const FlowSetup&);

@@ -170,6 +170,15 @@ void refuse_other_materials(const cases::Case& c, const cases::Experiment& e) {
 
 }  // namespace
 
+bool is_flow(const cases::Experiment& e) {
+    return e.rig == "discharge" || e.rig == "column" || e.rig == "drum";
+}
+
+void take_lammps_rules(FlowSetup& s) {
+    take_lammps_rules(s.grains, s.walls, {s.d, s.density, s.gravity},
+                      std::max(s.grains.work_of_adhesion, s.walls.work_of_adhesion));
+}
+
 void pour(FlowSetup& s, const cases::Grain& sizes, std::uint64_t seed) {
     draw_sizes(s, sizes, seed);
     std::visit([&](const auto& v) { draw_places(v, s, seed); }, s.vessel);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
 
 namespace rigs {
 namespace {
@@ -130,6 +132,18 @@ void scale_attraction(ContactParameters& c, const scaling::ScaleMap& map) {
     c.bridge.volume *= map.factor("liquid_volume");
     c.bridge.rupture_gap *= map.factor("length");
     c.ageing.onset *= map.factor("time");
+}
+
+void take_lammps_rules(ContactParameters& grains, ContactParameters& walls, const NominalGrain& g,
+                       double work_of_adhesion) {
+    if (grains.friction_cap != contact::FrictionCap::elastic_plus_two_pull_off)
+        throw scaling::InvalidInput(scaling::mistake(
+            "model.friction_cap", "another than elastic_plus_two_pull_off",
+            "must be that, or left out, under LAMMPS' rules", "or take --contact own"));
+    const double mass = g.density * (std::numbers::pi / 6.0) * (g.d * g.d * g.d);
+    const double pull_off = 1.5 * std::numbers::pi * work_of_adhesion * 0.25 * g.d;
+    const double k = 100.0 * (mass * g.gravity + 2.0 * pull_off) / g.d;
+    grains.as_lammps = walls.as_lammps = LammpsRules{k, std::sqrt(k * mass)};
 }
 
 void refuse_other_physics(const cases::Case& c, const std::string& rig,

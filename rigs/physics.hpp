@@ -36,6 +36,16 @@ struct ContactParameters {
 // resistance, without which a sticky branch that hangs on one contact swings about its normal for ever.
 dem_min::Laws laws(const ContactParameters&);
 
+// The rules that LAMMPS has as well at both kinds of contact. SDS rolling, which wants a stiffness and has none of its own:
+// k = 100 (m g + 2 F_po)/d and gamma = sqrt(k m), m and d nominal, F_po the pull-off force of `work_of_adhesion`, the largest there is,
+// between two nominal grains, so that the torque is full after rolling mu_r d/100 where a contact carries m g + 2 F_po. Throws
+// scaling::InvalidInput for a friction cap of another kind.
+struct NominalGrain {
+    double d, density, gravity;  // m, kg/m^3, m/s^2
+};
+void take_lammps_rules(ContactParameters& grains, ContactParameters& walls, const NominalGrain&,
+                       double work_of_adhesion);
+
 // By a name of cases::friction_caps(); elastic_plus_two_pull_off where it is empty.
 contact::FrictionCap friction_cap(const std::string& name);
 

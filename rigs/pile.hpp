@@ -114,9 +114,7 @@ double shaking_strength(const PileSetup&);  // 1, A omega^2/g: above 1 grains le
 // Densities and pairs of what the feed has drawn (rigs/pile_materials.cpp). `s.grains` and `s.walls` must be there.
 void choose_materials(PileSetup&, const cases::Case&, const cases::Experiment&);
 
-// The rules that LAMMPS has as well (LammpsRules), at every contact of the pile. SDS rolling, which wants a stiffness and has none
-// of its own: k = 100 (m g + 2 F_po)/d and gamma = sqrt(k m), m and d nominal, F_po the largest pull-off force between two nominal
-// grains, so that the torque is full after rolling mu_r d/100 where a contact carries m g + 2 F_po.
+// The rules that LAMMPS has as well, at every contact of the pile (rigs/physics.hpp).
 void take_lammps_rules(PileSetup&);
 
 // The same setup in the units of the scaled system: every double times the factor of its quantity. Where the factors are powers

@@ -183,17 +183,10 @@ void choose_steps(PileSetup& s) {
 }
 
 void take_lammps_rules(PileSetup& s) {
-    if (s.grains.friction_cap != contact::FrictionCap::elastic_plus_two_pull_off)
-        throw scaling::InvalidInput(scaling::mistake(
-            "model.friction_cap", "another than elastic_plus_two_pull_off",
-            "must be that, or left out, under LAMMPS' rules", "or take --contact own"));
-    const double mass = s.density * (std::numbers::pi / 6.0) * (s.d * s.d * s.d);
     double w = std::max(s.grains.work_of_adhesion, s.walls.work_of_adhesion);
     for (const PairParameters& pair : s.materials.pairs)
         w = std::max(w, pair.laws.work_of_adhesion);
-    const double pull_off = 1.5 * std::numbers::pi * w * 0.25 * s.d;
-    const double k = 100.0 * (mass * s.gravity + 2.0 * pull_off) / s.d;
-    s.grains.as_lammps = s.walls.as_lammps = LammpsRules{k, std::sqrt(k * mass)};
+    take_lammps_rules(s.grains, s.walls, {s.d, s.density, s.gravity}, w);
     for (PairParameters& pair : s.materials.pairs) pair.laws.as_lammps = s.grains.as_lammps;
 }
 

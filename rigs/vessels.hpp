@@ -43,6 +43,9 @@ double expected_duration(const Silo&, const FlowSetup&);
 double expected_duration(const Column&, const FlowSetup&);
 double expected_duration(const Drum&, const FlowSetup&);
 
+// s, after t = 0, of a run without a recording.
+double run_time(const Drum&);
+
 // At t = 0: opens, lifts, turns.
 void let_go(const Silo&, dem_min::Simulation&);
 void let_go(const Column&, dem_min::Simulation&);

@@ -5,8 +5,10 @@
 #include <catch2/catch.hpp>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -65,13 +67,33 @@ TEST_CASE("simulate: a silo and a drum leave their channels, and an interrupt ch
     }
 }
 
-TEST_CASE("simulate: a silo in another engine is refused", "[app][simulate][input]") {
+TEST_CASE("simulate: a silo is refused where another engine has no deck or no region for it",
+          "[app][simulate][input]") {
     const Folder f;
     const std::string path = f.write("case.json", soft_beads);
-    const Outcome o = similitude({"simulate", path, "--out", f / "out", "--engine", "lammps"});
-    CHECK(o.code == 2);
-    CHECK(o.err.find("--engine: got rig \"discharge\", must go with another rig") !=
-          std::string::npos);
+    for (const auto& [engine, rule] : std::vector<std::pair<std::string, std::string>>{
+             {"liggghts", "has no deck for the rig discharge (take lammps"},
+             {"yade", "has no deck for the rig discharge (take lammps"},
+             {"lammps", "has no region for a slot with ends"}}) {
+        const Outcome o = similitude({"simulate", path, "--out", f / "out", "--engine", engine});
+        CHECK(o.code == 2);
+        CHECK(o.err.find("--engine: got " + engine + ", " + rule) != std::string::npos);
+    }
+}
+
+TEST_CASE("simulate: a drum in LAMMPS leaves the files that our own leaves",
+          "[app][simulate][lammps]") {
+    if (std::system("command -v lmp > /dev/null") != 0) return;
+    const Folder f;
+    const std::string path = f.write("case.json", soft_beads);
+    const Outcome o = similitude({"simulate", path, "--experiment", "drum", "--out", f / "out",
+                                  "--engine", "lammps", "--quiet"});
+    INFO(o.err);
+    REQUIRE(o.code == 0);
+    CHECK(contents(f / "out/drum.csv").starts_with("t [s],angle [rad]\n0,"));
+    CHECK(contents(f / "out/drum-velocity.csv").starts_with("depth [m],velocity [m/s]\n"));
+    CHECK(contents(f / "out/drum-grains.csv").starts_with("x [m],y [m],z [m],radius [m]\n"));
+    CHECK(contents(f / "out/run.json").find("\"name\": \"LAMMPS\"") != std::string::npos);
 }
 
 TEST_CASE("simulate: --sleep is of piles, and says so where there is none",

@@ -205,7 +205,7 @@ TEST_CASE("lammps pile: a heap comes back whole, and the lost are counted",
     engines::write_deck(engines::lammps_pile(s), folder.path);
     std::int64_t shown = 0;
     const auto run = engines::run_pile(*engines::find_peer("lammps"), "lmp", s, folder.path, 2,
-                                       [&](const engines::PileProgress& p) { shown = p.step; });
+                                       [&](const engines::DeckProgress& p) { shown = p.step; });
     CHECK(shown > 0);
     REQUIRE(run.end);
     const rigs::PileRecord& r = run.end->record;

@@ -49,9 +49,9 @@ rigs::PileRecord heap_in(const engines::Peer& peer, const rigs::PileSetup& s, in
     std::int64_t shown = 0;
     const auto run =
         engines::run_pile(peer, *engines::find_program(peer.program), s, folder.path, ranks,
-                          [&](const engines::PileProgress& p) { shown = p.step; });
+                          [&](const engines::DeckProgress& p) { shown = p.step; });
     CHECK(shown > 0);
-    CHECK(run.release != "unknown");
+    CHECK(run.deck.release != "unknown");
     REQUIRE(run.end);
     return run.end->record;
 }
