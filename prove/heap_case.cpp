@@ -39,33 +39,41 @@ std::string csv_of(const Arrangement& a, const std::vector<double>& rows) {
 
 }  // namespace
 
-// A cancelling one: the fine heap's flank is as steep as the user's model says it is.
+// One that cancels: the fine heap's flank is as steep as the user's model says it is, and the rest shows: lambda >= 25 as of single
+// grains, or the most of what was drawn.
 HeapSecret heap_secret(std::uint64_t seed, const HeapPlan& given, const HeapFamily& f,
                        const std::vector<Response>& responses) {
     HeapPlan p = given;
     const Arrangement& fine = f.arrangements.front();
+    const std::vector<Response> fitted(responses.begin(), responses.end() - 1);
     if (p.kind == HeapKind::cancelling) {
         const HeapEffect e = heap_effects(f)[p.effect == "adhesion" ? 0 : 1];
         Dice dice(seed, static_cast<std::uint64_t>(p.number), 23);
-        double least = 1e300;
+        const auto flank_of = [&](const std::string& effect, double strength, double friction) {
+            return flank(fine, mean_features(responses.front(), effect, strength, friction, 0.0));
+        };
         constexpr int draws = 200, steps = 100;
-        for (int k = 0; k < draws && least > 1e-3; ++k) {
-            HeapPlan q = p;
+        constexpr double shows = 25.0, alike = 1e-3;
+        double most = -1.0, nearest = 1e300;
+        for (int k = 0; k < draws && most < shows; ++k) {
+            HeapPlan q = given;
             q.start = rounded(dice.uniform(0.3, 0.85), 2);
             q.strength = rounded(dice.log_uniform(e.low, e.high), 3);
-            const double wanted =
-                flank(fine, mean_features(responses.front(), "", 0.0, q.start, 0.0));
+            const double wanted = flank_of("", 0.0, q.start);
+            double least = 1e300;
             for (int i = 0; i <= steps; ++i) {
-                q.friction = rounded(f.low + 0.05 + (q.start - f.low - 0.1) * i / steps, 3);
-                const double off =
-                    std::abs(flank(fine, mean_features(responses.front(), q.effect, q.strength,
-                                                       q.friction, 0.0)) -
-                             wanted);
-                if (q.start - q.friction > 0.1 && off < least) least = off, p = q;
+                const double friction =
+                    rounded(f.low + 0.05 + (q.start - f.low - 0.1) * i / steps, 3);
+                const double off = std::abs(flank_of(q.effect, q.strength, friction) - wanted);
+                if (q.start - friction > 0.1 && off < least) least = off, q.friction = friction;
             }
+            if (least < nearest && most < 0.0) nearest = least, p = q;
+            if (least > alike) continue;
+            const double lambda =
+                heap_lambda(f, fitted, q.effect, q.strength, q.friction, q.azimuth);
+            if (lambda > most) most = lambda, p = q;
         }
     }
-    const std::vector<Response> fitted(responses.begin(), responses.end() - 1);
     return {p, heap_oracle(f, fitted, p.effect, p.strength, p.friction, p.azimuth)};
 }
 

@@ -74,11 +74,11 @@ std::vector<HeapEffect> heap_effects(const HeapFamily& f) {
     const double one = weight / (1.5 * pi * 0.25 * g.diameter);  // w whose pull-off is one weight
     std::vector<HeapEffect> list{
         {"adhesion", "work_of_adhesion", "J/m^2", 2.0 * one, 12.0 * one},
-        {"rolling_resistance", "rolling_friction", "1", 0.03, 0.4},
+        {"rolling_resistance", "rolling_friction", "1", 0.1, 0.5},
         {"polydispersity", "size_spread", "1", 0.1, 0.35},
-        {"tilt", "tilt_angle", "rad", pi / 180.0 * 1.5, pi / 180.0 * 8.0},
+        {"tilt", "tilt_angle", "rad", pi / 180.0 * 3.0, pi / 180.0 * 10.0},
         {"measurement_offset", "offset", "m", 0.4 * g.diameter, 1.6 * g.diameter},
-        {"measurement_scale", "scale", "1", 0.06, 0.2}};
+        {"measurement_scale", "scale", "1", 0.1, 0.3}};
     if (f.size_spread > 0.0)
         std::erase_if(list, [](const HeapEffect& e) { return e.name == "polydispersity"; });
     return list;

@@ -257,6 +257,11 @@ double flank(const Arrangement& a, const VectorXd& f) {
     return (f[1] - f[ring_count - 1]) / (width * static_cast<double>(ring_count - 2));
 }
 
+double heap_lambda(const HeapFamily& f, const std::vector<Response>& responses,
+                   const std::string& effect, double strength, double friction, double azimuth) {
+    return least(f, responses, {effect, strength, friction, azimuth}, "", 0.0, 0.0).value;
+}
+
 Oracle heap_oracle(const HeapFamily& f, const std::vector<Response>& responses,
                    const std::string& effect, double strength, double friction, double azimuth) {
     const Told truth{effect, strength, friction, azimuth};

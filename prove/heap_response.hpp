@@ -60,5 +60,7 @@ struct Oracle {
 // `responses`: of the fitted arrangements. What the means themselves are uncertain by adds to r' S^-1 r; on average it is taken off.
 Oracle heap_oracle(const HeapFamily&, const std::vector<Response>& responses,
                    const std::string& effect, double strength, double friction, double azimuth);
+double heap_lambda(const HeapFamily&, const std::vector<Response>& responses,
+                   const std::string& effect, double strength, double friction, double azimuth);
 
 }  // namespace prove
