@@ -150,8 +150,7 @@ int run(const ExportOptions& o) {
         throw InvalidInput(
             mistake("--experiment", o.experiment.empty() ? "none" : cases::in_quotes(o.experiment),
                     "must be a pile, drop, incline or impact of the case, in LAMMPS also a "
-                    "pull_off, discharge, "
-                    "column or drum",
+                    "pull_off, discharge, column or drum",
                     ids.empty() ? "this case has none" : cases::suggestion(o.experiment, ids)));
     for (const auto& [id, deck, cost, said] : decks) {
         const std::filesystem::path folder = std::filesystem::path(o.out) / (id + "-" + peer.name);

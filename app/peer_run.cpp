@@ -139,11 +139,10 @@ ExperimentRun flow_in_peer(const FlowTask& task, const Experiment& e, const Engi
         run.section =
             reports::flow_section(task.plan.id, record, e.recording ? &*e.recording : nullptr);
         run.result = reports::to_json(record);
-        for (const std::string& said :
-             {engines::vessel_note(task.setup), words_of(peer, result.deck.release)})
+        const std::string note = engines::vessel_note(task.setup);
+        for (const std::string& said : {note, words_of(peer, result.deck.release)})
             if (!said.empty()) run.section->notes.push_back(said);
-        if (const std::string said = engines::vessel_note(task.setup); !said.empty())
-            run.result["note"] = said;
+        if (!note.empty()) run.result["note"] = note;
     }
     run.result["engine"] = engine_json(peer, result.deck.release, choice.ranks, result.deck.command,
                                        folder, deck.name);
@@ -174,6 +173,32 @@ ExperimentRun curves_in_peer(const Case& c, const Experiment& e, const std::file
     return run;
 }
 
+// Centres and radii, and of clumps which grain a sphere belongs to.
+reports::ChannelTable grains_table(const std::string& id, const rigs::Heap& heap) {
+    cases::Column x{"x", "m"}, y{"y", "m"}, z{"z", "m"}, radius{"radius", "m"};
+    for (const contact::Vec3& p : heap.centre) {
+        x.values.push_back(p.x);
+        y.values.push_back(p.y);
+        z.values.push_back(p.z);
+    }
+    radius.values = heap.radius;
+    reports::ChannelTable table{id + "-grains", {x, y, z, radius}};
+    if (heap.spheres > 1) {
+        cases::Column grain{"grain", "1"};
+        const auto spheres = static_cast<std::size_t>(heap.spheres);
+        for (std::size_t k = 0; k < radius.values.size(); ++k)
+            grain.values.push_back(static_cast<double>(k / spheres));
+        table.columns.push_back(grain);
+    }
+    return table;
+}
+
+void write(const std::filesystem::path& folder, const std::vector<reports::ChannelTable>& tables) {
+    for (const reports::ChannelTable& table : tables)
+        if (!table.columns.empty())
+            cases::write_csv((folder / (table.name + ".csv")).string(), table.columns);
+}
+
 }  // namespace
 
 std::vector<reports::ChannelTable> write_pile(const std::filesystem::path& folder,
@@ -189,24 +214,8 @@ std::vector<reports::ChannelTable> write_pile(const std::filesystem::path& folde
         }
     }
     std::vector<reports::ChannelTable> tables{{id, {azimuth, r, z}}};
-
-    cases::Column x{"x", "m"}, y{"y", "m"}, height{"z", "m"}, radius{"radius", "m"};
-    for (const contact::Vec3& p : record.heap.centre) {
-        x.values.push_back(p.x);
-        y.values.push_back(p.y);
-        height.values.push_back(p.z);
-    }
-    radius.values = record.heap.radius;
-    tables.push_back({id + "-grains", {x, y, height, radius}});
-    if (record.heap.spheres > 1) {  // which grain a sphere belongs to
-        cases::Column grain{"grain", "1"};
-        const auto spheres = static_cast<std::size_t>(record.heap.spheres);
-        for (std::size_t k = 0; k < radius.values.size(); ++k)
-            grain.values.push_back(static_cast<double>(k / spheres));
-        tables.back().columns.push_back(grain);
-    }
-    for (const reports::ChannelTable& table : tables)
-        cases::write_csv((folder / (table.name + ".csv")).string(), table.columns);
+    tables.push_back(grains_table(id, record.heap));
+    write(folder, tables);
     return tables;
 }
 
@@ -223,19 +232,10 @@ std::function<ExperimentRun()> prepared_pile_in_peer(const PileTask& task, const
 std::vector<reports::ChannelTable> write_flow(const std::filesystem::path& folder,
                                               const std::string& id,
                                               const rigs::FlowRecord& record) {
-    std::vector<double> x, y, z;
-    for (const contact::Vec3 at : record.grains.centre)
-        x.push_back(at.x), y.push_back(at.y), z.push_back(at.z);
     std::vector<reports::ChannelTable> tables{{id, record.channels},
-                                              {id + "-grains",
-                                               {{"x", "m", x, {}},
-                                                {"y", "m", y, {}},
-                                                {"z", "m", z, {}},
-                                                {"radius", "m", record.grains.radius, {}}}}};
+                                              grains_table(id, record.grains)};
     if (!record.profile.empty()) tables.push_back({id + "-velocity", record.profile});
-    for (const reports::ChannelTable& table : tables)
-        if (!table.columns.empty())
-            cases::write_csv((folder / (table.name + ".csv")).string(), table.columns);
+    write(folder, tables);
     return tables;
 }
 

@@ -38,6 +38,14 @@ double upper_tail(double squares, double count) {
     return 0.5 * std::erfc(z / std::numbers::sqrt2);
 }
 
+// No heap lies below its base: a scanner that reads too low does not make one that is like none.
+VectorXd lifted(VectorXd numbers, Index rings) {
+    double lowest = 0.0;
+    for (const double z : numbers.head(rings)) lowest = std::min(lowest, z);
+    numbers.head(rings).array() -= lowest;
+    return numbers;
+}
+
 }  // namespace
 
 struct Piles::Inside {
@@ -59,7 +67,6 @@ struct Piles::Inside {
     std::vector<std::unique_ptr<View>> views;
     std::vector<BulkEffect> effects;
     mutable std::vector<double> unseen;  // per round: mean square of what heaps were off
-    mutable double own_error = 0.0;      // largest share of it in a recording's variance
     mutable std::mutex guard{};
 
     Inside(const cases::Case& c, const Settings& s) : given(c), settings(s), pourer(c, s) {}
@@ -96,9 +103,7 @@ struct Piles::Inside {
     }
     // What the emulator says of this world; tilted runs lean along x, other azimuths are turned there.
     VectorXd foreseen(const View& v, const rigs::World& w) const {
-        if (!v.emulator) {
-            return fresh(v, w, heaps_of_other).colwise().mean();
-        }
+        if (!v.emulator) return fresh(v, w, heaps_of_other).colwise().mean();
         rigs::World along = w;
         double azimuth = 0.0;
         if (w.physics.contains("tilt")) {
@@ -244,14 +249,9 @@ Record Piles::record(const cases::Experiment& e) const {
         for (const cases::Experiment& other : in->given.experiments)
             if (!other.held_out && is_profile(other) && in->family_of(other) == v.family)
                 recordings += 1.0;
-        // No heap lies below its base: a scanner that reads too low does not make one that is like none.
-        VectorXd like = recorded;
-        double lowest = 0.0;
-        for (const double z : like.head(n)) lowest = std::min(lowest, z);
-        like.head(n).array() -= lowest;
-        const double own = v.emulator->share_of_error(like);
-        in->own_error = std::max(in->own_error, own);
-        about = v.emulator->covariance(like) * (1.0 + (std::max(1.0, recordings) - 1.0) * own);
+        const VectorXd like = lifted(recorded, n);
+        about = v.emulator->covariance(like) *
+                (1.0 + (std::max(1.0, recordings) - 1.0) * v.emulator->share_of_error(like));
     } else {
         const rigs::World stated = rigs::world_of(in->given, e);
         MatrixXd y = in->fresh(v, stated, heaps_of_other);
@@ -382,12 +382,20 @@ std::vector<std::string> Piles::words() const {
                 "So soft they move the profile of {} by {:.2f} of the scatter between heaps; up to "
                 "0.5 is allowed.",
                 f->experiment.id, f->moved));
+    double own = 0.0;
+    for (const cases::Experiment& e : in_->given.experiments) {
+        if (e.held_out || !is_profile(e)) continue;
+        const Inside::View& v = in_->view_of(e);
+        const VectorXd recorded = v.rings.reduced(scan_of(*e.recording).z, true);
+        own = std::max(
+            own, v.emulator->share_of_error(lifted(recorded, static_cast<Index>(v.rings.count()))));
+    }
     if (!in_->unseen.empty())
         list.push_back(fmt::format(
             "Heaps that the emulator had not seen were off by {:.2f} of the scatter that it had "
             "foreseen (root mean square; 1 where it is right). Up to {:.0f} % of a recording's "
             "variance is the emulator's own error.",
-            std::sqrt(in_->unseen.back()), 100.0 * in_->own_error));
+            std::sqrt(in_->unseen.back()), 100.0 * own));
     return list;
 }
 

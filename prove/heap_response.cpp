@@ -121,7 +121,7 @@ double by_uncertainty(const Response& r, const Told& a, const Told& b) {
     const MatrixXd &x = of(a), &y = of(b);
     const VectorXd u = weights(r, a), v = weights(r, b);
     double share = u.dot(x * u) + v.dot(y * v);
-    if (x.rows() == y.rows() && (x.rows() == 3 || a.effect == b.effect))
+    if (&x == &y)
         share -= 2.0 * u.dot(x * v);
     else  // columns of the base: how it goes with each's own coefficients
         share -= 2.0 * (x.leftCols(3).transpose() * u)

@@ -17,30 +17,18 @@ namespace {
 using prove::Line;
 using prove::ScoreTable;
 
-constexpr const char* with_bar = "Figures with a bar";
-
 std::string three(double value) { return fmt::format("{:.3f}", value); }
-
-// Of the lines that have a bar.
-Answer answer_of(const ScoreTable& table) {
-    bool any = false;
-    for (const Line& line : table.lines) {
-        if (line.met == false) return Answer::no;
-        any = any || line.met.has_value();
-    }
-    return any ? Answer::yes : Answer::cannot_tell;
-}
 
 Verdict verdict_of(const ScoreTable& table) {
     int bars = 0, met = 0;
     for (const Line& line : table.lines)
         if (line.met) ++bars, met += *line.met ? 1 : 0;
-    Verdict v{
-        answer_of(table), fmt::format("{} of {} bars are met", met, bars),
-        fmt::format("{} blind cases, {} of them without a verdict, which counts as a wrong one",
-                    table.cases, table.missing)};
-    if (bars == 0) v.headline = "No bar could be tested";
-    return v;
+    return {bars == 0    ? Answer::cannot_tell
+            : met < bars ? Answer::no
+                         : Answer::yes,
+            bars == 0 ? "No bar could be tested" : fmt::format("{} of {} bars are met", met, bars),
+            fmt::format("{} blind cases, {} of them without a verdict, which counts as a wrong one",
+                        table.cases, table.missing)};
 }
 
 std::vector<std::string> row_of(const Line& line) {
@@ -55,7 +43,7 @@ std::vector<std::string> row_of(const Line& line) {
 }
 
 RunSection bars(const ScoreTable& table) {
-    RunSection s{.name = with_bar,
+    RunSection s{.name = "Figures with a bar",
                  .verdict = verdict_of(table),
                  .notes = {},
                  .figure = {},
